@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+# Build options, and the flags of our own targets (never global, never passed to users).
+
+option(ARETE_BUILD_CLI "Build the program arete" ${PROJECT_IS_TOP_LEVEL})
+option(ARETE_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(ARETE_BUILD_EXAMPLES "Build the examples" ${PROJECT_IS_TOP_LEVEL})
+option(ARETE_BUILD_BENCH "Build the benchmarks" OFF)
+option(ARETE_WARNINGS_AS_ERRORS "Treat warnings in our own code as errors" OFF)
+option(ARETE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+endif()
+
+# What every target of this tree is compiled with.
+function(arete_target_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  # Contraction to fused multiply-add changes results between compilers and tilings.
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -ffp-contract=off)
+  if(ARETE_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(ARETE_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+                           -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()
