@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "arete/refine/axis_plan.h"
+#include "arete/refine/row_pipe.h"
+#include "arete/scheme/scheme.h"
+
+namespace arete {
+
+/// How a grid is refined; the defaults suit a height field.
+struct RefineOptions {
+  int levels = 1;
+  Boundaries boundaries;
+  Alignment alignment = Alignment::nodes;
+  /// 0: as many as the machine has. The result does not depend on it.
+  int threads = 1;
+  /// Filters after the last level (limit or derivative stencils), along x and along y.
+  std::optional<Stencil> final_x;
+  std::optional<Stencil> final_y;
+};
+
+/// Refines grids of one size by the tensor product of two 1-D schemes: all that does not depend on
+/// the samples is prepared once. T is float or double; sums are taken in T. Thread-safe.
+///
+/// Missing samples (NaN, infinity) are allowed: a result is a NaN unless the input cell it lies in
+/// (a closed unit square between four samples; at the rim of `cells` the nearest one) has four
+/// valid corners, so the valid domain never grows. What valid results read beyond a hole is
+/// continued from valid samples (see InputWindow), so holes hold no influence and planes stay.
+template <class T>
+class Refiner {
+ public:
+  /// \throws InvalidField if the plans cannot be made (see AxisPlan).
+  Refiner(const Scheme& x, const Scheme& y, Extent input, const RefineOptions& options);
+  Refiner(const Scheme& scheme, Extent input, const RefineOptions& options)
+      : Refiner(scheme, scheme, input, options) {}
+  /// From ready plans; `boundaries` of the options are those of the plans.
+  Refiner(AxisPlan x, AxisPlan y, int threads = 1);
+
+  [[nodiscard]] Extent input() const { return {y_.input_count(), x_.input_count()}; }
+  [[nodiscard]] Extent output() const { return {y_.output_count(), x_.output_count()}; }
+  [[nodiscard]] const AxisPlan& x() const { return x_; }
+  [[nodiscard]] const AxisPlan& y() const { return y_; }
+
+  /// Bytes of working memory for a band of that many result rows, all threads together, the band
+  /// itself not counted.
+  [[nodiscard]] double working_bytes(Index band_rows) const;
+
+  /// Computes the result rows first_row, first_row + 1, ... into the rows of `band`, whose width
+  /// is output().cols. Any cut into bands gives the same bits.
+  /// \throws InvalidField if the source or the band has another size than was prepared for.
+  void refine_rows(const RowSource<T>& source, Index first_row, GridView<T> band) const;
+
+  /// The whole result.
+  [[nodiscard]] Grid<T> operator()(GridView<const T> samples) const;
+
+ private:
+  void refine_part(const RowSource<T>& source, Index first_row, GridView<T> part) const;
+  void clear_missing(const InputWindow<T>& input, Index first_row, GridView<T> part) const;
+  [[nodiscard]] Boundaries boundaries() const { return {x_.boundary(), y_.boundary()}; }
+
+  AxisPlan x_;
+  AxisPlan y_;
+  int threads_ = 1;
+  Index reach_ = 0;
+  std::vector<PhasedRule<T>> x_rules_;
+  std::vector<PhasedRule<T>> y_rules_;
+};
+
+/// One call: the grid refined by the scheme along both axes. Equal to Refiner's result.
+template <class T>
+[[nodiscard]] Grid<T> refine(GridView<const T> samples, const Scheme& scheme,
+                             const RefineOptions& options = {});
+
+template <class T>
+[[nodiscard]] Grid<T> refine(const Grid<T>& samples, const Scheme& scheme,
+                             const RefineOptions& options = {}) {
+  return refine<T>(samples.view(), scheme, options);
+}
+
+/// Where the results lie in the world.
+template <class T>
+[[nodiscard]] Georeference refined(const Georeference& coarse, const Refiner<T>& refiner) {
+  return refined(coarse, refiner.y().placement(), refiner.x().placement());
+}
+
+}  // namespace arete
