@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arete/refine/refiner.h"
 
-#include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -72,7 +72,7 @@ double Refiner<T>::working_bytes(Index band_rows) const {
     samples += static_cast<double>(x_.ranges()[level].count()) *
                static_cast<double>(y_.rules()[level].symbol.coefficients().size() + 1);
   samples += 3.0 * static_cast<double>(x_.output_count());
-  const int threads = threads_ > 0 ? threads_ : tbb::this_task_arena::max_concurrency();
+  const int threads = threads_ > 0 ? threads_ : tbb::info::default_concurrency();
   return samples * sizeof(T) * threads;
 }
 
@@ -93,9 +93,11 @@ void Refiner<T>::refine_rows(const RowSource<T>& source, Index first_row,
       part(from, std::min(from + part_rows, band.rows()));
     return;
   }
-  tbb::task_arena arena(threads_ > 0 ? threads_ : tbb::task_arena::automatic);
-  const Index share =
-      std::clamp(band.rows() / (2 * arena.max_concurrency()), Index{32}, part_rows);
+  // More threads than the machine has would only make oneTBB complain.
+  const int available = tbb::info::default_concurrency();
+  const int wanted = threads_ > 0 ? threads_ : available;
+  tbb::task_arena arena(std::min(wanted, available));
+  const Index share = std::clamp(band.rows() / (2 * wanted), Index{32}, part_rows);
   const Index parts = (band.rows() + share - 1) / share;
   arena.execute([&] {
     tbb::parallel_for(Index{0}, parts, [&](Index i) {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "arete/gdal/geotiff.h"
+
+#include <cpl_string.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <limits>
+#include <type_traits>
+
+namespace arete::gdal {
+namespace {
+
+// The user's options and those defaults that they do not contradict.
+CPLStringList creation_options(const GeoTiffSpec& spec) {
+  CPLStringList options;
+  for (const std::string& option : spec.creation_options) {
+    if (option.find('=') == std::string::npos)
+      throw RasterError("creation option '" + option + "' is not KEY=VALUE, e.g. COMPRESS=ZSTD");
+    options.AddString(option.c_str());
+  }
+  const auto default_to = [&](const char* key, const char* value) {
+    if (options.FetchNameValue(key) == nullptr) options.SetNameValue(key, value);
+  };
+  default_to("TILED", "YES");
+  default_to("COMPRESS", "DEFLATE");
+  default_to("BIGTIFF", "IF_SAFER");
+  default_to("INTERLEAVE", "BAND");
+  const char* compression = options.FetchNameValue("COMPRESS");
+  if (EQUAL(compression, "DEFLATE") || EQUAL(compression, "ZSTD") || EQUAL(compression, "LZW"))
+    default_to("PREDICTOR", "3");
+  if (!EQUAL(compression, "NONE"))
+    default_to("NUM_THREADS", spec.threads > 0 ? std::to_string(spec.threads).c_str() : "ALL_CPUS");
+  return options;
+}
+
+OGRSpatialReference reference_from(const std::string& wkt) {
+  OGRSpatialReference reference;
+  reference.importFromWkt(wkt.c_str());
+  // GDAL's own default order for rasters: x before y.
+  reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return reference;
+}
+
+void set_reference(GDALDataset& dataset, const GeoTiffSpec& spec) {
+  for (const auto& [key, value] : spec.metadata)
+    dataset.SetMetadataItem(key.c_str(), value.c_str());
+  if (spec.georeference) {
+    auto affine = spec.georeference->affine;
+    dataset.SetMetadataItem(GDALMD_AREA_OR_POINT,
+                            spec.georeference->registration == Registration::point
+                                ? GDALMD_AOP_POINT
+                                : GDALMD_AOP_AREA);
+    dataset.SetGeoTransform(affine.data());
+  }
+  if (!spec.crs.empty()) {
+    const OGRSpatialReference reference = reference_from(spec.crs);
+    dataset.SetSpatialRef(&reference);
+  }
+  if (!spec.control_points.empty()) {
+    std::vector<GDAL_GCP> points;
+    for (const ControlPoint& p : spec.control_points)
+      points.push_back({const_cast<char*>(p.id.c_str()), const_cast<char*>(p.info.c_str()),
+                        p.pixel, p.line, p.x, p.y, p.z});
+    const OGRSpatialReference reference = reference_from(spec.control_point_crs);
+    dataset.SetGCPs(static_cast<int>(points.size()), points.data(),
+                    spec.control_point_crs.empty() ? nullptr : &reference);
+  }
+}
+
+void set_band(GDALRasterBand& band, const BandInfo& info, const std::optional<double>& nodata) {
+  if (nodata) band.SetNoDataValue(*nodata);
+  if (info.scale) band.SetScale(*info.scale);
+  if (info.offset) band.SetOffset(*info.offset);
+  if (!info.unit.empty()) band.SetUnitType(info.unit.c_str());
+  if (!info.description.empty()) band.SetDescription(info.description.c_str());
+  band.SetColorInterpretation(static_cast<GDALColorInterp>(info.color_interpretation));
+  for (const auto& [key, value] : info.metadata) band.SetMetadataItem(key.c_str(), value.c_str());
+}
+
+}  // namespace
+
+struct GeoTiffWriter::State {
+  std::string path;
+  GDALDataset* dataset = nullptr;
+  ErrorCollector errors;
+
+  [[noreturn]] void fail() const {
+    throw RasterError(path + " cannot be written (GDAL: " + errors.message() +
+                      "); check free space and permissions");
+  }
+};
+
+GeoTiffWriter::GeoTiffWriter(const std::string& path, const GeoTiffSpec& spec)
+    : state_(std::make_unique<State>()) {
+  register_formats();
+  state_->path = path;
+  constexpr Index largest = std::numeric_limits<int>::max();
+  if (spec.extent.rows > largest || spec.extent.cols > largest)
+    throw RasterError("a raster of " + std::to_string(spec.extent.cols) + " x " +
+                      std::to_string(spec.extent.rows) +
+                      " samples is beyond GeoTIFF's 2^31 - 1 a side; use fewer levels or tiles");
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  const CPLStringList options = creation_options(spec);
+  if (GDALValidateCreationOptions(driver, options.List()) == 0)
+    throw RasterError("a creation option is not one of GeoTIFF's; see 'gdalinfo --format GTiff'");
+  const GDALDataType type = spec.type == SampleType::float32 ? GDT_Float32 : GDT_Float64;
+  state_->dataset = driver->Create(path.c_str(), static_cast<int>(spec.extent.cols),
+                                   static_cast<int>(spec.extent.rows),
+                                   static_cast<int>(spec.bands.size()), type, options.List());
+  if (state_->dataset == nullptr) state_->fail();
+  set_reference(*state_->dataset, spec);
+  for (std::size_t i = 0; i < spec.bands.size(); ++i)
+    set_band(*state_->dataset->GetRasterBand(static_cast<int>(i) + 1), spec.bands[i], spec.nodata);
+  if (state_->errors.failed()) state_->fail();
+}
+
+GeoTiffWriter::~GeoTiffWriter() {
+  if (state_ && state_->dataset != nullptr) GDALClose(state_->dataset);
+}
+
+Index GeoTiffWriter::block_rows() const {
+  int width = 0;
+  int height = 0;
+  state_->dataset->GetRasterBand(1)->GetBlockSize(&width, &height);
+  return height;
+}
+
+template <class T>
+void GeoTiffWriter::write(int band, Index first_row, GridView<const T> rows) {
+  constexpr GDALDataType type = std::is_same_v<T, float> ? GDT_Float32 : GDT_Float64;
+  const auto status = state_->dataset->GetRasterBand(band)->RasterIO(
+      GF_Write, 0, static_cast<int>(first_row), static_cast<int>(rows.cols()),
+      static_cast<int>(rows.rows()), const_cast<T*>(rows.row(0)), static_cast<int>(rows.cols()),
+      static_cast<int>(rows.rows()), type, sizeof(T),
+      static_cast<GSpacing>(rows.stride()) * static_cast<GSpacing>(sizeof(T)), nullptr);
+  if (status != CE_None || state_->errors.failed()) state_->fail();
+}
+
+void GeoTiffWriter::close() {
+  GDALClose(state_->dataset);
+  state_->dataset = nullptr;
+  if (state_->errors.failed()) state_->fail();
+}
+
+template void GeoTiffWriter::write(int, Index, GridView<const float>);
+template void GeoTiffWriter::write(int, Index, GridView<const double>);
+
+}  // namespace arete::gdal

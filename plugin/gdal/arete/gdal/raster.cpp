@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "arete/gdal/raster.h"
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <mutex>
+
+namespace arete::gdal {
+namespace {
+
+Metadata to_metadata(char** list) {
+  Metadata metadata;
+  for (char** item = list; item != nullptr && *item != nullptr; ++item) {
+    char* key = nullptr;
+    const char* value = CPLParseNameValue(*item, &key);
+    // Statistics are those of the samples before refinement.
+    if (key != nullptr && value != nullptr && !STARTS_WITH_CI(key, "STATISTICS_"))
+      metadata.emplace_back(key, value);
+    CPLFree(key);
+  }
+  return metadata;
+}
+
+std::string to_wkt(const OGRSpatialReference* reference) {
+  if (reference == nullptr) return {};
+  char* text = nullptr;
+  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+  std::string wkt;
+  if (reference->exportToWkt(&text, options) == OGRERR_NONE && text != nullptr) wkt = text;
+  CPLFree(text);
+  return wkt;
+}
+
+}  // namespace
+
+void register_formats() {
+  static std::once_flag once;
+  std::call_once(once, [] { GDALAllRegister(); });
+}
+
+void limit_cache(double bytes) { GDALSetCacheMax64(static_cast<GIntBig>(bytes)); }
+
+void Raster::Close::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+
+Raster::Raster(const std::string& path) : path_(path) {
+  register_formats();
+  const ErrorCollector errors;
+  VSIStatBufL status;
+  const bool exists = VSIStatL(path.c_str(), &status) == 0;
+  dataset_.reset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  if (!dataset_) {
+    if (!exists) throw RasterError(path + " does not exist or cannot be read; check the path");
+    const std::string reason = errors.failed() ? " (GDAL: " + errors.message() + ")" : "";
+    throw RasterError(path + " is not a raster that GDAL can read" + reason +
+                      "; give a GeoTIFF or another raster that 'gdalinfo' opens");
+  }
+  extent_ = {dataset_->GetRasterYSize(), dataset_->GetRasterXSize()};
+  read_bands();
+  read_reference();
+  metadata_ = to_metadata(dataset_->GetMetadata());
+}
+
+void Raster::read_bands() {
+  for (int number = 1; number <= dataset_->GetRasterCount(); ++number) {
+    GDALRasterBand* band = dataset_->GetRasterBand(number);
+    const std::string where = path_ + ", band " + std::to_string(number);
+    const GDALDataType type = band->GetRasterDataType();
+    if (band->GetColorInterpretation() == GCI_AlphaBand) continue;
+    if (GDALDataTypeIsComplex(type) != 0)
+      throw RasterError(where + " holds complex numbers (" + GDALGetDataTypeName(type) +
+                        "); extract a real part first, e.g. with gdal_calc.py");
+    if (band->GetColorTable() != nullptr)
+      throw RasterError(where + " holds palette indices, which cannot be interpolated; expand it "
+                        "first with gdal_translate -expand rgb");
+    BandInfo info;
+    info.number = number;
+    info.type = GDALGetDataTypeName(type);
+    info.floating = GDALDataTypeIsFloating(type) != 0;
+    info.masked = (band->GetMaskFlags() & GMF_ALL_VALID) == 0;
+    int has = 0;
+    const double nodata = band->GetNoDataValue(&has);
+    if (has != 0) info.nodata = nodata;
+    const double scale = band->GetScale(&has);
+    if (has != 0) info.scale = scale;
+    const double offset = band->GetOffset(&has);
+    if (has != 0) info.offset = offset;
+    info.unit = band->GetUnitType();
+    info.description = band->GetDescription();
+    info.color_interpretation = band->GetColorInterpretation();
+    info.metadata = to_metadata(band->GetMetadata());
+    bands_.push_back(std::move(info));
+  }
+  if (!bands_.empty()) return;
+  const char* subdataset = dataset_->GetMetadataItem("SUBDATASET_1_NAME", "SUBDATASETS");
+  throw RasterError(path_ + " has no data band" +
+                    (subdataset != nullptr ? "; name one of its subdatasets, e.g. " +
+                                                 std::string(subdataset)
+                                           : "; give a raster with heights"));
+}
+
+void Raster::read_reference() {
+  std::array<double, 6> affine{};
+  if (dataset_->GetGeoTransform(affine.data()) == CE_None) {
+    const char* kind = dataset_->GetMetadataItem(GDALMD_AREA_OR_POINT);
+    const bool point = kind != nullptr && EQUAL(kind, GDALMD_AOP_POINT);
+    georeference_ = Georeference{affine, point ? Registration::point : Registration::area};
+  }
+  if (const OGRSpatialReference* reference = dataset_->GetSpatialRef()) {
+    crs_ = to_wkt(reference);
+    geographic_ = reference->IsGeographic() != 0;
+  }
+  const GDAL_GCP* points = dataset_->GetGCPs();
+  for (int i = 0; i < dataset_->GetGCPCount(); ++i)
+    control_points_.push_back({points[i].pszId, points[i].pszInfo, points[i].dfGCPPixel,
+                               points[i].dfGCPLine, points[i].dfGCPX, points[i].dfGCPY,
+                               points[i].dfGCPZ});
+  control_point_crs_ = to_wkt(dataset_->GetGCPSpatialRef());
+}
+
+}  // namespace arete::gdal

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arete/field/georeference.h"
+#include "arete/gdal/error.h"
+
+class GDALDataset;
+
+namespace arete::gdal {
+
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+/// What a band says about itself.
+struct BandInfo {
+  int number = 1;          ///< counted from 1, as GDAL does
+  std::string type;        ///< GDAL's name, e.g. Int16
+  bool floating = false;   ///< may hold NaN
+  bool masked = false;     ///< has nodata, a mask or an alpha band
+  std::optional<double> nodata;
+  std::optional<double> scale;
+  std::optional<double> offset;
+  std::string unit;
+  std::string description;
+  int color_interpretation = 0;  ///< GDALColorInterp
+  Metadata metadata;
+};
+
+/// A tie of the raster (in pixels and lines, from edges) to the world.
+struct ControlPoint {
+  std::string id, info;
+  double pixel = 0, line = 0;
+  double x = 0, y = 0, z = 0;
+};
+
+/// A raster opened for reading by GDAL, any format it knows. Alpha bands are taken as validity, not
+/// as data: they are not among bands().
+class Raster {
+ public:
+  /// \throws RasterError if the file is missing or unreadable, not a raster, without data bands, or
+  /// holds complex numbers or palette indices.
+  explicit Raster(const std::string& path);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] Extent extent() const { return extent_; }
+  [[nodiscard]] const std::vector<BandInfo>& bands() const { return bands_; }
+  /// Nothing when the file has no georeference.
+  [[nodiscard]] const std::optional<Georeference>& georeference() const { return georeference_; }
+  /// The coordinate reference system as WKT; empty when there is none.
+  [[nodiscard]] const std::string& crs() const { return crs_; }
+  /// Coordinates are longitudes and latitudes in degrees.
+  [[nodiscard]] bool geographic() const { return geographic_; }
+  [[nodiscard]] const Metadata& metadata() const { return metadata_; }
+  [[nodiscard]] const std::vector<ControlPoint>& control_points() const { return control_points_; }
+  [[nodiscard]] const std::string& control_point_crs() const { return control_point_crs_; }
+
+  /// The handle, for the other parts of this adapter. Not to be used by two threads at once.
+  [[nodiscard]] GDALDataset& dataset() const { return *dataset_; }
+
+ private:
+  void read_reference();
+  void read_bands();
+
+  struct Close {
+    void operator()(GDALDataset* dataset) const;
+  };
+
+  std::string path_;
+  std::unique_ptr<GDALDataset, Close> dataset_;
+  Extent extent_;
+  std::vector<BandInfo> bands_;
+  std::optional<Georeference> georeference_;
+  std::string crs_;
+  bool geographic_ = false;
+  Metadata metadata_;
+  std::vector<ControlPoint> control_points_;
+  std::string control_point_crs_;
+};
+
+/// Lets GDAL know its formats; called by everything here that needs it.
+void register_formats();
+
+/// Limits GDAL's cache of blocks, in bytes.
+void limit_cache(double bytes);
+
+}  // namespace arete::gdal

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "arete/gdal/refine_raster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "arete/gdal/band_source.h"
+
+namespace arete::gdal {
+namespace {
+
+std::string megabytes(double bytes) {
+  return std::to_string(static_cast<long long>(std::ceil(bytes / 1e6))) + " MB";
+}
+
+// Puts the nodata value where samples are missing, and moves results away from it.
+template <class T>
+void encode_missing(GridView<T> rows, T nodata) {
+  const T beside = nodata == T(0) ? std::numeric_limits<T>::min() : std::nextafter(nodata, T(0));
+  for (Index r = 0; r < rows.rows(); ++r)
+    for (Index c = 0; c < rows.cols(); ++c) {
+      T& value = rows(r, c);
+      if (std::isnan(value))
+        value = nodata;
+      else if (value == nodata)
+        value = beside;
+    }
+}
+
+template <class T>
+void refine_bands(const Raster& input, GeoTiffWriter& writer, const Refiner<T>& refiner,
+                  const std::optional<double>& nodata, Index chunk, const Progress& progress) {
+  Grid<T> rows({chunk, refiner.output().cols});
+  const Index height = refiner.output().rows;
+  const double total = static_cast<double>(height) * static_cast<double>(input.bands().size());
+  double done = 0;
+  int number = 0;
+  bool any_valid = false;
+  for (const BandInfo& band : input.bands()) {
+    const BandSource<T> source(input, band);
+    ++number;
+    for (Index first = 0; first < height; first += chunk) {
+      const Index count = std::min(chunk, height - first);
+      const GridView<T> part(rows.row(0), {count, rows.cols()});
+      refiner.refine_rows(source, first, part);
+      for (Index r = 0; r < count && !any_valid; ++r)
+        any_valid = std::any_of(part.row(r), part.row(r) + part.cols(),
+                                [](T value) { return !std::isnan(value); });
+      if (nodata) encode_missing(part, static_cast<T>(*nodata));
+      writer.write<T>(number, first, part);
+      done += static_cast<double>(count);
+      if (progress) progress(done / total);
+    }
+  }
+  if (!any_valid)
+    throw RasterError(input.path() + " has no valid result: no four neighbouring samples are all "
+                      "valid; check its nodata value with gdalinfo");
+}
+
+template <class T>
+RasterReport refine_as(const Raster& input, const std::string& output, const Scheme& x,
+                       const Scheme& y, const RefineOptions& options, const RasterOutput& form,
+                       const Progress& progress) {
+  const Refiner<T> refiner(x, y, input.extent(), options);
+  const GeoTiffSpec spec = refined_spec(input, refiner.x(), refiner.y(), form, options.threads);
+
+  const double row_bytes = static_cast<double>(refiner.output().cols) * sizeof(T);
+  const double working = refiner.working_bytes(256);
+  // A row of tiles must stay in GDAL's cache until it is full.
+  constexpr double block_rows = 256;
+  limit_cache(std::max(64e6, 1.5 * block_rows * row_bytes));
+  const double least = working + 2.5 * block_rows * row_bytes;
+  if (least > form.max_memory)
+    throw RasterError("refining " + input.path() + " needs " + megabytes(least) +
+                      " of memory, more than the " + megabytes(form.max_memory) +
+                      " allowed; raise --max-memory or use fewer levels");
+  GeoTiffWriter writer(output, spec);
+  const Index block = std::max<Index>(1, writer.block_rows());
+  const auto affordable =
+      static_cast<Index>((form.max_memory - working) / row_bytes / static_cast<double>(block));
+  // A few rows of tiles at a time give every thread work; more would only take memory.
+  const Index chunk = block * std::clamp<Index>(affordable - 1, 1, 4);
+  refine_bands(input, writer, refiner, spec.nodata, chunk, progress);
+  writer.close();
+  return {input.extent(), refiner.output(), static_cast<int>(input.bands().size()),
+          to_double(refiner.x().misplacement()), to_double(refiner.y().misplacement())};
+}
+
+}  // namespace
+
+GeoTiffSpec refined_spec(const Raster& input, const AxisPlan& x, const AxisPlan& y,
+                         const RasterOutput& form, int threads) {
+  GeoTiffSpec spec;
+  spec.extent = {y.output_count(), x.output_count()};
+  spec.type = form.type;
+  spec.crs = input.crs();
+  spec.bands = input.bands();
+  spec.metadata = input.metadata();
+  spec.threads = threads;
+  spec.creation_options = form.creation_options;
+  if (input.georeference())
+    spec.georeference = refined(*input.georeference(), y.placement(), x.placement());
+  const AxisPlacement rows = y.placement();
+  const AxisPlacement cols = x.placement();
+  for (ControlPoint point : input.control_points()) {
+    point.pixel = (point.pixel - 0.5 - cols.first) / cols.spacing + 0.5;
+    point.line = (point.line - 0.5 - rows.first) / rows.spacing + 0.5;
+    spec.control_points.push_back(point);
+  }
+  spec.control_point_crs = input.control_point_crs();
+  bool missing = false;
+  for (const BandInfo& band : input.bands()) {
+    if (band.nodata && !spec.nodata) spec.nodata = band.nodata;
+    missing = missing || band.masked || band.floating;
+  }
+  if (!spec.nodata && missing) spec.nodata = std::numeric_limits<double>::quiet_NaN();
+  // The value must be one that the samples can hold.
+  if (spec.nodata && form.type == SampleType::float32)
+    spec.nodata = static_cast<double>(static_cast<float>(*spec.nodata));
+  return spec;
+}
+
+RasterReport refine_raster(const Raster& input, const std::string& output, const Scheme& x,
+                           const Scheme& y, const RefineOptions& options, const RasterOutput& form,
+                           const Progress& progress) {
+  return form.type == SampleType::float32
+             ? refine_as<float>(input, output, x, y, options, form, progress)
+             : refine_as<double>(input, output, x, y, options, form, progress);
+}
+
+}  // namespace arete::gdal

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// The include matrix of docs/design.md: who may include whom, and where third parties may appear.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+const std::map<std::string, Names> core_may_include{
+    {"algebra", {"algebra"}},
+    {"scheme", {"algebra", "scheme"}},
+    {"analysis", {"algebra", "scheme", "analysis"}},
+    {"field", {"field"}},
+    {"topology", {"field", "topology"}},
+    {"refine", {"algebra", "scheme", "field", "refine"}},
+    {"reverse", {"algebra", "scheme", "field", "refine", "reverse"}},
+    {"fractal", {"algebra", "scheme", "field", "fractal"}},
+    {"variational", {"algebra", "scheme", "field", "variational"}},
+};
+const Names adapters{"openmesh", "gdal", "cgal", "vtk", "paraview", "opensubdiv"};
+
+// Third parties by the beginning of their headers' names, and the rooms that may see them.
+const std::map<std::string, Names> third_parties{
+    {"boost/multiprecision/", {"core"}}, {"Eigen/", {"core"}},  {"tbb/", {"core"}},
+    {"gdal", {"gdal"}},   {"ogr", {"gdal"}},   {"cpl_", {"gdal"}},
+    {"vtk", {"vtk", "paraview"}}, {"EGL/", {"vtk"}}, {"OpenMesh/", {"openmesh"}},
+    {"CGAL/", {"cgal"}},  {"opensubdiv/", {"opensubdiv"}}, {"CLI/", {"cli"}},
+    {"nlohmann/", {"cli"}}};
+
+struct Include {
+  fs::path file;
+  int line;
+  std::string target;
+  bool quoted;
+};
+
+bool is_source(const fs::path& path) {
+  return path.extension() == ".h" || path.extension() == ".cpp" || path.extension() == ".cxx" ||
+         path.extension() == ".hh";
+}
+
+std::vector<Include> includes_below(const fs::path& folder) {
+  std::vector<Include> found;
+  if (!fs::exists(folder)) return found;
+  const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+    std::ifstream stream(entry.path());
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+      std::smatch match;
+      if (std::regex_search(line, match, pattern))
+        found.push_back({entry.path(), number, match[2], match[1] == "\""});
+    }
+  }
+  return found;
+}
+
+// arete/<room>/... -> room, otherwise empty.
+std::string arete_room(const std::string& target) {
+  if (target.rfind("arete/", 0) != 0) return "";
+  const auto end = target.find('/', 6);
+  return end == std::string::npos ? "" : target.substr(6, end - 6);
+}
+
+std::string where(const Include& include) {
+  return include.file.string() + ":" + std::to_string(include.line) + " includes " + include.target;
+}
+
+const fs::path root = ARETE_SOURCE_DIR;
+
+TEST(layering, core_rooms_include_only_the_rooms_below_them) {
+  int checked = 0;
+  for (const auto& include : includes_below(root / "core" / "arete")) {
+    const std::string room = fs::relative(include.file, root / "core" / "arete").begin()->string();
+    ASSERT_EQ(core_may_include.count(room), 1u) << room << " is not in the matrix";
+    const std::string target = arete_room(include.target);
+    if (target.empty()) {
+      EXPECT_FALSE(include.quoted) << where(include) << " without its full path";
+      continue;
+    }
+    EXPECT_EQ(core_may_include.at(room).count(target), 1u) << where(include);
+    ++checked;
+  }
+  EXPECT_GT(checked, 20);
+}
+
+TEST(layering, an_adapter_never_includes_another_adapter_or_the_program) {
+  for (const std::string& adapter : adapters) {
+    for (const auto& include : includes_below(root / "plugin" / adapter)) {
+      const std::string target = arete_room(include.target);
+      EXPECT_TRUE(target.empty() || target == adapter || core_may_include.count(target) == 1)
+          << where(include);
+      EXPECT_EQ(include.target.rfind("cli/", 0), std::string::npos) << where(include);
+    }
+  }
+}
+
+TEST(layering, third_party_headers_appear_only_where_they_belong) {
+  const auto check = [](const fs::path& folder, const std::string& room) {
+    for (const auto& include : includes_below(folder)) {
+      if (include.target.rfind("arete/", 0) == 0) continue;
+      for (const auto& [prefix, rooms] : third_parties) {
+        if (include.target.rfind(prefix, 0) != 0) continue;
+        EXPECT_EQ(rooms.count(room), 1u) << where(include);
+      }
+    }
+  };
+  check(root / "core", "core");
+  check(root / "cli", "cli");
+  for (const std::string& adapter : adapters) check(root / "plugin" / adapter, adapter);
+}
+
+TEST(layering, core_opens_no_file_prints_nothing_and_never_exits) {
+  const std::regex forbidden(R"(std::(cout|cerr|clog|ofstream|ifstream|fstream|exit|abort)\b|printf\()");
+  for (const auto& entry : fs::recursive_directory_iterator(root / "core")) {
+    if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+    std::ifstream stream(entry.path());
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number)
+      EXPECT_FALSE(std::regex_search(line, forbidden)) << entry.path() << ":" << number;
+  }
+}
+
+TEST(layering, every_source_names_its_licence_and_none_is_longer_than_600_lines) {
+  for (const char* folder : {"core", "plugin", "cli", "tests", "examples", "bench"}) {
+    if (!fs::exists(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+      std::ifstream stream(entry.path());
+      std::string line;
+      ASSERT_TRUE(std::getline(stream, line));
+      const bool gpl = entry.path().string().find("plugin/cgal") != std::string::npos;
+      EXPECT_NE(line.find(gpl ? "SPDX-License-Identifier: GPL-3.0-or-later"
+                              : "SPDX-License-Identifier: MIT"),
+                std::string::npos)
+          << entry.path();
+      int lines = 1;
+      while (std::getline(stream, line)) ++lines;
+      EXPECT_LE(lines, 600) << entry.path();
+    }
+  }
+}
+
+}  // namespace
