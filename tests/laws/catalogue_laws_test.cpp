@@ -103,7 +103,7 @@ TEST(catalogue_laws, polynomials_up_to_the_reproduction_degree_are_reproduced) {
     const int degree = reproduction_degree(scheme.mask());
     RefineOptions options;
     options.boundaries = {Boundary::none, Boundary::none};
-    const AxisPlan plan(scheme.mask(), 40, {1, Boundary::none, Alignment::nodes, {}});
+    const AxisPlan plan(scheme.mask(), 40, {1, Boundary::none, Alignment::nodes, {}, {}});
     const auto value = [&](double x, int power) { return std::pow((x - 20) / 10, power); };
     const auto worst_error = [&](int power) {
       Grid<double> line({40, 1});
@@ -128,7 +128,7 @@ TEST(catalogue_laws, one_level_leaves_the_range_of_its_input_by_no_more_than_the
     Grid<double> line({64, 1});
     std::mt19937 random(3);
     for (double& v : line.samples()) v = static_cast<double>(random() % 2);
-    const AxisPlan plan(scheme.mask(), 64, {1, Boundary::clamp, Alignment::nodes, {}});
+    const AxisPlan plan(scheme.mask(), 64, {1, Boundary::clamp, Alignment::nodes, {}, {}});
     const Grid<double> fine = Refiner<double>(AxisPlan::identity(1), plan)(line.view());
     const double bound = to_double(overshoot(scheme.mask()));
     for (double v : fine.samples()) {

@@ -10,7 +10,7 @@ namespace {
 
 AxisPlan plan(const char* scheme, Index count, int levels, Alignment alignment,
               Boundary boundary = Boundary::extrapolate) {
-  return {parse_scheme(scheme).mask(), count, {levels, boundary, alignment, {}}};
+  return {parse_scheme(scheme).mask(), count, {levels, boundary, alignment, {}, {}}};
 }
 
 TEST(axis_plan, nodes_of_a_primal_scheme_keep_both_ends) {

@@ -65,7 +65,7 @@ void check_curve(const json& record, Boundary boundary, int levels, Index first_
   const std::string id = record.at("id");
   const Scheme scheme = scheme_of(record.at("input"));
   const AxisPlan plan(scheme.mask(), static_cast<Index>(control.size()),
-                      {levels, boundary, Alignment::nodes, {}});
+                      {levels, boundary, Alignment::nodes, {}, {}});
   Table<Rational> columns = transposed(control);
   for (Rationals& column : columns) column = refine_reference(plan, column);
   const Table<Rational> expected = points_of(record.at("expect").at("points"));
@@ -144,7 +144,7 @@ TEST(refine_oracle, ternary_curves_extended_once_at_level_0) {
     Rationals line;
     for (const auto& point : points_of(input.at("points"))) line.push_back(point.front());
     const AxisPlan plan(scheme.mask(), static_cast<Index>(line.size()),
-                        {steps, Boundary::extrapolate, Alignment::nodes, {}});
+                        {steps, Boundary::extrapolate, Alignment::nodes, {}, {}});
     const Rationals own = refine_reference(plan, line);
     const Rationals expected = test::exact_list(record.at("expect").at("points"));
     const Index offset =
@@ -156,7 +156,7 @@ TEST(refine_oracle, ternary_curves_extended_once_at_level_0) {
 }
 
 Index open_size(const char* scheme, Index count, int levels) {
-  const AxisOptions options{levels, Boundary::none, Alignment::nodes, {}};
+  const AxisOptions options{levels, Boundary::none, Alignment::nodes, {}, {}};
   return AxisPlan(parse_scheme(scheme).mask(), count, options).output_count();
 }
 
@@ -172,7 +172,7 @@ TEST(refine_oracle, open_sizes) {
       EXPECT_EQ(open_size("ternary-two-step", count, static_cast<int>(level)), sizes[level]);
     for (std::size_t level = 0; level < closed.size(); ++level)
       EXPECT_EQ(AxisPlan(parse_scheme("ternary-two-step").mask(), count,
-                         {static_cast<int>(level), Boundary::periodic, Alignment::nodes, {}})
+                         {static_cast<int>(level), Boundary::periodic, Alignment::nodes, {}, {}})
                     .output_count(),
                 closed[level]);
   }
@@ -185,7 +185,7 @@ void check_grid(const json& record, Boundaries boundaries, int levels, Index pap
   const Table<Rational> grid = points_of(record.at("input").at("grid"));
   const auto plan = [&](Boundary boundary, std::size_t count) {
     return AxisPlan(scheme.mask(), static_cast<Index>(count),
-                    {levels, boundary, Alignment::nodes, {}});
+                    {levels, boundary, Alignment::nodes, {}, {}});
   };
   const AxisPlan x = plan(boundaries.x, grid.front().size());
   const AxisPlan y = plan(boundaries.y, grid.size());
@@ -220,7 +220,7 @@ TEST(refine_oracle, four_parameter_tensor_grids) {
     const Scheme scheme = scheme_of(input);
     const Table<Rational> grid = points_of(input.at("grid"));
     const AxisPlan plan(scheme.mask(), static_cast<Index>(grid.size()),
-                        {levels, Boundary::none, Alignment::nodes, {}});
+                        {levels, Boundary::none, Alignment::nodes, {}, {}});
     const Table<Rational> fine = refine_reference(plan, plan, grid);
     ASSERT_EQ(fine.size(), expect.at("rows").get<std::size_t>());
     Rational sum = 0;

@@ -37,6 +37,10 @@ Rational lattice_shift(const Mask& mask, int levels, bool limit) {
   return -mask.tau() * (limit ? fine : Rational(fine - 1)) / (mask.arity() - 1);
 }
 
+bool moves_samples(const AxisOptions& options) {
+  return options.final_stencil && options.final_result == FinalResult::samples;
+}
+
 IndexRange intersection(IndexRange a, IndexRange b) {
   return {std::max(a.first, b.first), std::min(a.last, b.last)};
 }
@@ -78,7 +82,7 @@ AxisPlan::AxisPlan(const Mask& mask, Index count, const AxisOptions& options)
 }
 
 void AxisPlan::plan_lattice(const Mask& mask, const AxisOptions& options) {
-  const bool limit = options.final_stencil.has_value();
+  const bool limit = moves_samples(options);
   const Rational fine = power_of(mask.arity(), options.levels);
   const Rational shift = lattice_shift(mask, options.levels, limit);
   const Index total = to_index(boost::multiprecision::numerator(fine)) * input_count_;
@@ -111,7 +115,7 @@ void AxisPlan::plan_lattice(const Mask& mask, const AxisOptions& options) {
   if (constant) wanted.last = wanted.first;
 
   rules_.assign(static_cast<std::size_t>(options.levels), {mask.arity(), mask.symbol()});
-  if (limit) rules_.push_back(filter(*options.final_stencil));
+  if (options.final_stencil) rules_.push_back(filter(*options.final_stencil));
   ranges_ = ranges_back_from(wanted);
   first_position_ = constant ? Rational(0) : Rational((ranges_.back().first + shift) / fine);
   spacing_ = 1 / fine;

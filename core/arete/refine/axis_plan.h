@@ -18,14 +18,20 @@ enum class Alignment {
   cells   ///< n m^N samples, the centres of the pixels of the same bounding box cut finer
 };
 
+/// What a filter after the last level makes.
+enum class FinalResult {
+  samples,   ///< new samples, which lie where the limit is evaluated (see AxisPlan)
+  attribute  ///< one more number of each sample (a derivative): counted and placed as without filter
+};
+
 /// What is done along one axis.
 struct AxisOptions {
   int levels = 1;
   Boundary boundary = Boundary::extrapolate;
   Alignment alignment = Alignment::nodes;
-  /// A filter applied to the last level at the classical parameter of each sample: limit or
-  /// derivative stencils. The samples then lie where the limit is evaluated.
+  /// A filter applied to the last level, e.g. limit or derivative stencils.
   std::optional<Stencil> final_stencil;
+  FinalResult final_result = FinalResult::samples;
 };
 
 /// Everything about refining `count` samples along one axis that does not depend on their values:
@@ -33,7 +39,8 @@ struct AxisOptions {
 ///
 /// Positions. With tau = a'(1)/m, sample i of level N lies at (i + s)/m^N among the input's
 /// samples, s = -tau (m^N - 1)/(m - 1): so linear data stay where they are for every scheme with
-/// two sum rules, asymmetric and dual ones included. After a limit stencil s = -tau m^N/(m - 1).
+/// two sum rules, asymmetric and dual ones included. Samples made by a limit stencil lie at the
+/// classical parameter of theirs: s = -tau m^N/(m - 1).
 ///
 /// - `nodes` keeps those i with 0 <= (i + s)/m^N <= count - 1; `periodic` keeps i = 0..count m^N - 1
 ///   (one turn); `none` keeps what can be computed without ghosts.

@@ -17,7 +17,8 @@ constexpr Index part_rows = 256;
 AxisPlan make_plan(const Scheme& scheme, Index count, const RefineOptions& options,
                    Boundary boundary, const std::optional<Stencil>& final_stencil) {
   return {scheme.mask(), count,
-          AxisOptions{options.levels, boundary, options.alignment, final_stencil}};
+          AxisOptions{options.levels, boundary, options.alignment, final_stencil,
+                      options.final_result}};
 }
 
 // A pipe needs as many levels along x as along y; an axis that has fewer passes rows on.

@@ -20,6 +20,7 @@ struct RefineOptions {
   /// Filters after the last level (limit or derivative stencils), along x and along y.
   std::optional<Stencil> final_x;
   std::optional<Stencil> final_y;
+  FinalResult final_result = FinalResult::samples;
 };
 
 /// Refines grids of one size by the tensor product of two 1-D schemes: all that does not depend on

@@ -64,6 +64,10 @@ Raster::Raster(const std::string& path) : path_(path) {
   metadata_ = to_metadata(dataset_->GetMetadata());
 }
 
+Georeference Raster::place() const {
+  return georeference_.value_or(Georeference{{-0.5, 1, 0, 0.5, 0, -1}, Registration::area});
+}
+
 void Raster::read_bands() {
   for (int number = 1; number <= dataset_->GetRasterCount(); ++number) {
     GDALRasterBand* band = dataset_->GetRasterBand(number);

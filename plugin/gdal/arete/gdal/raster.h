@@ -51,6 +51,8 @@ class Raster {
   [[nodiscard]] const std::vector<BandInfo>& bands() const { return bands_; }
   /// Nothing when the file has no georeference.
   [[nodiscard]] const std::optional<Georeference>& georeference() const { return georeference_; }
+  /// The georeference, or, when there is none, one that puts sample (row, col) at x = col, y = -row.
+  [[nodiscard]] Georeference place() const;
   /// The coordinate reference system as WKT; empty when there is none.
   [[nodiscard]] const std::string& crs() const { return crs_; }
   /// Coordinates are longitudes and latitudes in degrees.

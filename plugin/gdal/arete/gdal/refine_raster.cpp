@@ -116,8 +116,11 @@ GeoTiffSpec refined_spec(const Raster& input, const AxisPlan& x, const AxisPlan&
   }
   if (!spec.nodata && missing) spec.nodata = std::numeric_limits<double>::quiet_NaN();
   // The value must be one that the samples can hold.
-  if (spec.nodata && form.type == SampleType::float32)
+  if (spec.nodata && form.type == SampleType::float32) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    if (std::isfinite(*spec.nodata)) *spec.nodata = std::clamp(*spec.nodata, -largest, largest);
     spec.nodata = static_cast<double>(static_cast<float>(*spec.nodata));
+  }
   return spec;
 }
 

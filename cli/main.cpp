@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The program arete: reads the command line, runs the job, and is the one place that prints errors
+// and chooses the exit code: 0 done, 1 failed, 2 misuse, 130 interrupted.
+#include <iostream>
+#include <new>
+
+#include "arete/field/error.h"
+#include "arete/scheme/error.h"
+#include "cli/build_info.h"
+#include "cli/error.h"
+#include "cli/interruption.h"
+#include "cli/verb.h"
+
+namespace {
+
+int complain(const std::string& message, int code) {
+  std::cout.flush();
+  std::cerr << "arete: " << message << '\n';
+  return code;
+}
+
+int run(int argc, char** argv) {
+  using namespace arete;
+  CLI::App program{"Parametric subdivision for terrain: fine surfaces from coarse grids, from "
+                   "gentle to craggy,\nwith a statement of how smooth they are."};
+  program.name("arete");
+  program.set_version_flag("--version", cli::build_info());
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(34);
+  cli::Job job;
+  cli::add_schemes(program, job);
+  cli::add_describe(program, job);
+  cli::add_curve(program, job);
+  cli::add_refine(program, job);
+  cli::add_render(program, job);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return program.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::string verb;
+    for (const CLI::App* sub : program.get_subcommands()) verb = " " + sub->get_name();
+    return complain(std::string(error.what()) + "; see 'arete" + verb + " --help'", 2);
+  }
+  cli::catch_interruptions();
+  job();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const arete::cli::Interrupted& error) {
+    return complain(error.what(), 130);
+  } catch (const arete::cli::Misuse& error) {
+    return complain(error.what(), 2);
+  } catch (const arete::InvalidScheme& error) {
+    return complain(error.what(), 2);
+  } catch (const arete::InvalidField& error) {
+    return complain(error.what(), 2);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory; use fewer levels or a smaller input", 1);
+  } catch (const std::exception& error) {
+    return complain(error.what(), 1);
+  }
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// arete refine: a coarse raster in, a fine one (or a VTK file) out.
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include <tbb/info.h>
+
+#include "arete/analysis/limit_stencil.h"
+#include "arete/gdal/refine_raster.h"
+#include "cli/disk_space.h"
+#include "cli/error.h"
+#include "cli/interruption.h"
+#include "cli/memory_size.h"
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "cli/scheme_json.h"
+#include "cli/verb.h"
+#ifdef ARETE_HAVE_VTK
+#include "cli/refine_surface.h"
+#endif
+
+namespace arete::cli {
+namespace {
+
+struct RefineArguments {
+  std::string input;
+  std::string output;
+  std::string scheme;
+  std::string scheme_y;
+  int levels = 1;
+  std::string boundary = "extrapolate";
+  std::string align = "nodes";
+  int threads = 0;
+  std::string max_memory;
+  std::string type = "float32";
+  std::vector<std::string> creation_options;
+  int band = 1;
+  bool limit = false;
+  bool overwrite = false;
+  bool json = false;
+};
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".tiff" ? ".tif" : extension;
+}
+
+bool is_surface_form(const std::string& form) {
+  return form == ".vti" || form == ".vts" || form == ".vtp";
+}
+
+void check_form(const std::string& output, const std::string& form) {
+  if (form != ".tif" && !is_surface_form(form))
+    throw Misuse(output + ": the format '" + form +
+                 "' is not one of .tif, .vti, .vts, .vtp; name the output so");
+#ifndef ARETE_HAVE_VTK
+  if (is_surface_form(form))
+    throw Failure(output + ": this arete was built without VTK; write a .tif");
+#endif
+}
+
+Stencil limit_of(const Scheme& scheme) {
+  const auto stencil = limit_stencil(scheme.mask());
+  if (!stencil)
+    throw Misuse("--limit: " + scheme.text() +
+                 " has no certified limit; leave --limit out or choose a convergent scheme");
+  return *stencil;
+}
+
+RefineOptions options_from(const RefineArguments& arguments, const Scheme& x, const Scheme& y) {
+  RefineOptions options;
+  options.levels = arguments.levels;
+  options.boundaries = parse_boundaries(arguments.boundary);
+  options.alignment = arguments.align == "cells" ? Alignment::cells : Alignment::nodes;
+  options.threads = arguments.threads;
+  if (arguments.limit) {
+    options.final_x = limit_of(x);
+    options.final_y = limit_of(y);
+  }
+  return options;
+}
+
+void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
+            const gdal::RasterReport& done, double seconds) {
+  const double samples = static_cast<double>(done.output.rows) *
+                         static_cast<double>(done.output.cols) * done.bands;
+  const double speed = seconds > 0 ? samples / seconds : 0;
+  const int threads = arguments.threads > 0 ? arguments.threads : tbb::info::default_concurrency();
+  if (arguments.json) {
+    Json object{{"input", arguments.input},
+                {"output", arguments.output},
+                {"rows", done.output.rows},
+                {"cols", done.output.cols},
+                {"bands", done.bands},
+                {"levels", arguments.levels},
+                {"scheme", x.text()}};
+    if (!(x == y)) object["scheme_y"] = y.text();
+    object["seconds"] = seconds;
+    object["samples_per_second"] = speed;
+    object["threads"] = threads;
+    object["misplacement"] = {{"x", done.misplacement_x}, {"y", done.misplacement_y}};
+    std::cout << object.dump(2) << '\n';
+    return;
+  }
+  std::ostringstream line;
+  line << arguments.input << " (" << done.input.cols << " x " << done.input.rows << ") -> "
+       << arguments.output << " (" << done.output.cols << " x " << done.output.rows;
+  if (done.bands > 1) line << ", " << done.bands << " bands";
+  line << "): " << x.text() << (x == y ? "" : " along x, " + y.text() + " along y") << ", "
+       << arguments.levels << (arguments.levels == 1 ? " level" : " levels") << std::fixed
+       << std::setprecision(2) << ", " << seconds << " s, " << std::setprecision(1) << speed / 1e6
+       << " M samples/s";
+  std::cout << line.str() << '\n';
+  if (done.misplacement_x != 0 || done.misplacement_y != 0)
+    std::cout << "note: this scheme's samples do not fall on the cell centres asked for; they are "
+                 "written where they lie, "
+              << done.misplacement_x << " (x) and " << done.misplacement_y
+              << " (y) input pixels beside them\n";
+}
+
+void refine(const RefineArguments& arguments) {
+  const std::string form = extension_of(arguments.output);
+  check_form(arguments.output, form);
+  const Scheme x = read_scheme(arguments.scheme);
+  const Scheme y = arguments.scheme_y.empty() ? x : read_scheme(arguments.scheme_y);
+  const RefineOptions options = options_from(arguments, x, y);
+  const double memory = arguments.max_memory.empty() ? default_memory()
+                                                     : parse_memory_size(arguments.max_memory);
+  const auto type =
+      arguments.type == "float64" ? gdal::SampleType::float64 : gdal::SampleType::float32;
+
+  const gdal::Raster input(arguments.input);
+  OutputFile output(arguments.output, arguments.input, arguments.overwrite);
+  const auto start = std::chrono::steady_clock::now();
+  gdal::RasterReport done;
+  {
+    ProgressBar progress("refining");
+    if (form == ".tif") {
+      const Refiner<float> size(x, y, input.extent(), options);
+      check_disk(arguments.output, arguments.creation_options,
+                 static_cast<double>(size.output().rows) * static_cast<double>(size.output().cols) *
+                     static_cast<double>(input.bands().size()) *
+                     (type == gdal::SampleType::float64 ? 8 : 4));
+      done = gdal::refine_raster(input, output.temporary().string(), x, y, options,
+                                 {type, arguments.creation_options, memory},
+                                 [&](double share) { progress.show(share); });
+    }
+#ifdef ARETE_HAVE_VTK
+    else {
+      done = refine_to_surface(input, arguments.band, output.temporary(), form, x, y, options, type,
+                               memory, progress);
+    }
+#endif
+  }
+  stop_if_interrupted();
+  output.commit();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report(arguments, x, y, done, seconds);
+}
+
+}  // namespace
+
+void add_refine(CLI::App& program, Job& job) {
+  CLI::App* verb = program.add_subcommand(
+      "refine", "Refine a raster into a GeoTIFF (.tif) or a VTK file (.vti, .vts, .vtp)");
+  auto a = std::make_shared<RefineArguments>();
+  verb->add_option("IN", a->input, "Any raster that GDAL reads")->required();
+  verb->add_option("OUT", a->output,
+                   "The format follows the extension: .tif, .vti (heights), .vts or .vtp (geometry)")
+      ->required();
+  verb->add_option("--scheme", a->scheme,
+                   "Scheme, e.g. gentle or four-point:omega=1/16 ('arete schemes' lists all)")
+      ->required();
+  verb->add_option("--scheme-y", a->scheme_y, "Another scheme from row to row");
+  verb->add_option("--levels", a->levels, "How many times the grid is refined")
+      ->capture_default_str();
+  verb->add_option("--boundary", a->boundary,
+                   "extrapolate, clamp, reflect, periodic or none; or two of them, x then y")
+      ->capture_default_str();
+  verb->add_option("--align", a->align,
+                   "nodes: between the outermost samples; cells: the same bounding box, cut finer")
+      ->check(CLI::IsMember({"nodes", "cells"}))
+      ->capture_default_str();
+  verb->add_flag("--limit", a->limit, "Put the last level's samples on the limit surface");
+  verb->add_option("--threads", a->threads, "0: as many as the machine has; never changes a bit")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  verb->add_option("--max-memory", a->max_memory,
+                   "Memory to hold at most, e.g. 800M (default: half of the machine's)");
+  verb->add_option("--type", a->type, "Arithmetic and samples of the result")
+      ->check(CLI::IsMember({"float32", "float64"}))
+      ->capture_default_str();
+  verb->add_option("--creation-option", a->creation_options,
+                   "KEY=VALUE of GDAL's GTiff driver, may be repeated; the defaults are TILED=YES "
+                   "COMPRESS=DEFLATE PREDICTOR=3 BIGTIFF=IF_SAFER")
+      ->expected(1)
+      ->take_all();
+  verb->add_option("--band", a->band, "Which band holds the heights (VTK files only)")
+      ->capture_default_str();
+  verb->add_flag("--overwrite", a->overwrite, "Replace OUT if it exists");
+  verb->add_flag("--json", a->json, "Print one JSON object about what was done");
+  verb->callback([&job, a] { job = [a] { refine(*a); }; });
+}
+
+}  // namespace arete::cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace arete::cli {
+
+/// What main() runs after the command line is read. Set by the verb that was named.
+using Job = std::function<void()>;
+
+/// Each verb adds itself to the program with its options and, when named, sets the job.
+void add_schemes(CLI::App& program, Job& job);
+void add_describe(CLI::App& program, Job& job);
+void add_curve(CLI::App& program, Job& job);
+void add_refine(CLI::App& program, Job& job);
+void add_render(CLI::App& program, Job& job);
+
+}  // namespace arete::cli
