@@ -19,6 +19,12 @@ int complain(const std::string& message, int code) {
   return code;
 }
 
+bool has_verb(const CLI::App& program, const std::string& name) {
+  for (const CLI::App* verb : program.get_subcommands({}))
+    if (verb->check_name(name)) return true;
+  return false;
+}
+
 int run(int argc, char** argv) {
   using namespace arete;
   CLI::App program{"Parametric subdivision for terrain: fine surfaces from coarse grids, from "
@@ -26,6 +32,7 @@ int run(int argc, char** argv) {
   program.name("arete");
   program.set_version_flag("--version", cli::build_info());
   program.require_subcommand(1);
+  program.failure_message(CLI::FailureMessage::simple);
   program.get_formatter()->column_width(34);
   cli::Job job;
   cli::add_schemes(program, job);
@@ -33,6 +40,8 @@ int run(int argc, char** argv) {
   cli::add_curve(program, job);
   cli::add_refine(program, job);
   cli::add_render(program, job);
+  if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1]))
+    return complain("there is no verb '" + std::string(argv[1]) + "'; see 'arete --help'", 2);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {

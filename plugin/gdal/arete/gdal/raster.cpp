@@ -69,11 +69,15 @@ Georeference Raster::place() const {
 }
 
 void Raster::read_bands() {
+  int alpha = 0;
   for (int number = 1; number <= dataset_->GetRasterCount(); ++number) {
     GDALRasterBand* band = dataset_->GetRasterBand(number);
     const std::string where = path_ + ", band " + std::to_string(number);
     const GDALDataType type = band->GetRasterDataType();
-    if (band->GetColorInterpretation() == GCI_AlphaBand) continue;
+    if (band->GetColorInterpretation() == GCI_AlphaBand) {
+      alpha = number;
+      continue;
+    }
     if (GDALDataTypeIsComplex(type) != 0)
       throw RasterError(where + " holds complex numbers (" + GDALGetDataTypeName(type) +
                         "); extract a real part first, e.g. with gdal_calc.py");
@@ -98,6 +102,8 @@ void Raster::read_bands() {
     info.metadata = to_metadata(band->GetMetadata());
     bands_.push_back(std::move(info));
   }
+  for (BandInfo& band : bands_)
+    if (!band.masked) band.alpha_band = alpha;
   if (!bands_.empty()) return;
   const char* subdataset = dataset_->GetMetadataItem("SUBDATASET_1_NAME", "SUBDATASETS");
   throw RasterError(path_ + " has no data band" +

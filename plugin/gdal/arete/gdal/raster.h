@@ -21,7 +21,8 @@ struct BandInfo {
   int number = 1;          ///< counted from 1, as GDAL does
   std::string type;        ///< GDAL's name, e.g. Int16
   bool floating = false;   ///< may hold NaN
-  bool masked = false;     ///< has nodata, a mask or an alpha band
+  bool masked = false;     ///< GDAL offers a mask of it: nodata, mask band, alpha of bytes
+  int alpha_band = 0;      ///< otherwise the alpha band (0: none); 0 in it means no sample
   std::optional<double> nodata;
   std::optional<double> scale;
   std::optional<double> offset;
@@ -60,6 +61,11 @@ class Raster {
   [[nodiscard]] const Metadata& metadata() const { return metadata_; }
   [[nodiscard]] const std::vector<ControlPoint>& control_points() const { return control_points_; }
   [[nodiscard]] const std::string& control_point_crs() const { return control_point_crs_; }
+
+  /// Whether samples of the band can be missing.
+  [[nodiscard]] static bool has_holes(const BandInfo& band) {
+    return band.masked || band.floating || band.alpha_band != 0;
+  }
 
   /// The handle, for the other parts of this adapter. Not to be used by two threads at once.
   [[nodiscard]] GDALDataset& dataset() const { return *dataset_; }

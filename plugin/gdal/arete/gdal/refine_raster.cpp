@@ -112,7 +112,7 @@ GeoTiffSpec refined_spec(const Raster& input, const AxisPlan& x, const AxisPlan&
   bool missing = false;
   for (const BandInfo& band : input.bands()) {
     if (band.nodata && !spec.nodata) spec.nodata = band.nodata;
-    missing = missing || band.masked || band.floating;
+    missing = missing || Raster::has_holes(band);
   }
   if (!spec.nodata && missing) spec.nodata = std::numeric_limits<double>::quiet_NaN();
   // The value must be one that the samples can hold.
