@@ -52,6 +52,15 @@ Points table_of(const Curve<double>& curve, const Points& control, bool with_tau
   return table;
 }
 
+#ifdef ARETE_HAVE_VTK
+// So many control points would hide the curve.
+std::optional<vtk::Polyline> polygon_to_draw(const Points& control, bool closed) {
+  constexpr Index most_points = 200;
+  if (control.values.rows() > most_points) return std::nullopt;
+  return vtk::Polyline{control.values.view(), closed};
+}
+#endif
+
 void write_curve(const CurveArguments& a, const Curve<double>& curve, const Points& control,
                  const std::filesystem::path& path) {
   const std::string form = path.extension().string();
@@ -65,7 +74,7 @@ void write_curve(const CurveArguments& a, const Curve<double>& curve, const Poin
   if (form == ".vtp")
     vtk::write_polyline(line, path);
   else
-    vtk::plot_curve(line, vtk::Polyline{control.values.view(), a.closed}, {}, path);
+    vtk::plot_curve(line, polygon_to_draw(control, a.closed), {}, path);
 #endif
 }
 

@@ -3,6 +3,8 @@
 include(CMakePackageConfigHelpers)
 
 get_property(ARETE_INSTALLED_ADAPTERS GLOBAL PROPERTY ARETE_ADAPTERS)
+get_property(ARETE_VTK_COMPONENTS GLOBAL PROPERTY ARETE_VTK_COMPONENTS)
+list(JOIN ARETE_VTK_COMPONENTS " " ARETE_VTK_COMPONENTS)
 set(_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/arete)
 configure_package_config_file(
   ${PROJECT_SOURCE_DIR}/cmake/areteConfig.cmake.in ${PROJECT_BINARY_DIR}/areteConfig.cmake

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Installs the build tree into a prefix of its own, moves the prefix (it must be relocatable), and
+# builds and runs a project that knows nothing but find_package(arete).
+file(REMOVE_RECURSE ${WORK})
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result OUTPUT_VARIABLE _out ERROR_VARIABLE _out)
+  if(NOT _result EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\n${_out}")
+  endif()
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
+file(RENAME ${WORK}/first ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR}
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCOMPONENTS=${COMPONENTS}" -DCMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/consumer)
+run(${WORK}/prefix/bin/arete --version)
