@@ -37,6 +37,8 @@ int run(int argc, char** argv) {
   cli::Job job;
   cli::add_schemes(program, job);
   cli::add_describe(program, job);
+  cli::add_analyze(program, job);
+  cli::add_map(program, job);
   cli::add_curve(program, job);
   cli::add_refine(program, job);
   cli::add_render(program, job);

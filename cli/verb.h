@@ -12,6 +12,8 @@ using Job = std::function<void()>;
 /// Each verb adds itself to the program with its options and, when named, sets the job.
 void add_schemes(CLI::App& program, Job& job);
 void add_describe(CLI::App& program, Job& job);
+void add_analyze(CLI::App& program, Job& job);
+void add_map(CLI::App& program, Job& job);
 void add_curve(CLI::App& program, Job& job);
 void add_refine(CLI::App& program, Job& job);
 void add_render(CLI::App& program, Job& job);

@@ -60,4 +60,34 @@ namespace arete {
   return x;
 }
 
+/// The rank of a rational matrix, exact (Bareiss elimination as above).
+[[nodiscard]] inline int exact_rank(const Matrix<Rational>& a) {
+  Integer scale = 1;
+  for (int i = 0; i < a.rows(); ++i)
+    for (int j = 0; j < a.cols(); ++j)
+      scale = boost::multiprecision::lcm(scale, boost::multiprecision::denominator(a(i, j)));
+  Matrix<Integer> work(a.rows(), a.cols());
+  for (int i = 0; i < a.rows(); ++i)
+    for (int j = 0; j < a.cols(); ++j)
+      work(i, j) = boost::multiprecision::numerator(a(i, j)) *
+                   (scale / boost::multiprecision::denominator(a(i, j)));
+  int rank = 0;
+  Integer previous = 1;
+  for (int k = 0; k < a.cols() && rank < a.rows(); ++k) {
+    int pivot = rank;
+    while (pivot < a.rows() && work(pivot, k) == 0) ++pivot;
+    if (pivot == a.rows()) continue;
+    for (int j = 0; j < a.cols() && pivot != rank; ++j)
+      std::swap(work(pivot, j), work(rank, j));
+    for (int i = rank + 1; i < a.rows(); ++i) {
+      for (int j = k + 1; j < a.cols(); ++j)
+        work(i, j) = (work(rank, k) * work(i, j) - work(i, k) * work(rank, j)) / previous;
+      work(i, k) = 0;
+    }
+    previous = work(rank, k);
+    ++rank;
+  }
+  return rank;
+}
+
 }  // namespace arete

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "arete/topology/recover.h"
+
+#include <algorithm>
+#include <string>
+
+#include "arete/topology/half_edges.h"
+#include "arete/topology/recover_part.h"
+
+namespace arete {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+std::vector<std::vector<int>> components(const HalfEdges& mesh) {
+  std::vector<std::vector<int>> found;
+  const int faces = mesh.faces().count();
+  std::vector<bool> seen(at(faces), false);
+  for (int seed = 0; seed < faces; ++seed) {
+    if (seen[at(seed)]) continue;
+    std::vector<int>& component = found.emplace_back(1, seed);
+    seen[at(seed)] = true;
+    for (std::size_t i = 0; i < component.size(); ++i) {
+      const int begin = mesh.faces().starts[at(component[i])];
+      const int end = mesh.faces().starts[at(component[i]) + 1];
+      for (int h = begin; h < end; ++h) {
+        if (mesh.twin(h) < 0) continue;
+        const int neighbour = mesh.face(mesh.twin(h));
+        if (seen[at(neighbour)]) continue;
+        seen[at(neighbour)] = true;
+        component.push_back(neighbour);
+      }
+    }
+    std::sort(component.begin(), component.end());
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<GridPatch> recover_grids(const FaceList& faces, int vertex_count,
+                                     std::span<const Point3> positions) {
+  const HalfEdges mesh(faces, vertex_count);
+  detail::Marks marks(faces.count(), vertex_count);
+  std::vector<GridPatch> patches;
+  std::vector<bool> taken(at(vertex_count), false);
+  for (const std::vector<int>& component : components(mesh)) {
+    const std::size_t size = faces[component.front()].size();
+    for (int f : component)
+      if (faces[f].size() != size)
+        throw NotAGrid::at_face(f, "has " + std::to_string(faces[f].size()) + " corners, face " +
+                                       std::to_string(component.front()) +
+                                       " of the same part has " + std::to_string(size) +
+                                       "; make the mesh all quads or all triangles");
+    GridPatch patch = size == 4 ? detail::recover_quads(mesh, component, marks)
+                                : detail::recover_triangles(mesh, component, marks, positions);
+    for (int v : patch.vertices) {
+      if (taken[at(v)])
+        throw NotAGrid::at_vertex(v,
+                                  "is at two places of the grid: parts of the surface touch "
+                                  "there; split it");
+      taken[at(v)] = true;
+    }
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
+}  // namespace arete

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "arete/vtk/plot_curve.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "arete/vtk/error.h"
+#include "arete/vtk/internal/canvas.h"
+
+namespace arete::vtk {
+namespace {
+
+constexpr int supersampling = 4;
+
+/// A place in the drawn picture, from its lower left corner.
+struct Pixel {
+  double x = 0;
+  double y = 0;
+};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(const Polyline& line, Index column) {
+    for (Index r = 0; r < line.points.rows(); ++r) {
+      low = std::min(low, line.points(r, column));
+      high = std::max(high, line.points(r, column));
+    }
+  }
+};
+
+/// From the plane to drawn pixels, the middle to the middle.
+class Axes {
+ public:
+  Axes(const Range& x, const Range& y, const PlotOptions& options, int scale)
+      : middle_{(x.low + x.high) / 2, (y.low + y.high) / 2},
+        centre_{options.width * scale / 2.0, options.height * scale / 2.0} {
+    const double margin = std::min(options.width, options.height) / 12.0;
+    const double across = (options.width - 2 * margin) * scale;
+    const double up = (options.height - 2 * margin) * scale;
+    // A curve without width or height still has the other; a single place has neither.
+    const double x_length = x.high - x.low;
+    const double y_length = y.high - y.low;
+    unit_ = {x_length > 0 ? across / x_length : 1, y_length > 0 ? up / y_length : 1};
+    if (options.equal_axes && x_length > 0 && y_length > 0) {
+      unit_.x = unit_.y = std::min(unit_.x, unit_.y);
+    }
+  }
+
+  [[nodiscard]] Pixel operator()(const Polyline& line, Index r) const {
+    return {centre_.x + (line.points(r, 0) - middle_.x) * unit_.x,
+            centre_.y + (line.points(r, 1) - middle_.y) * unit_.y};
+  }
+
+ private:
+  Pixel middle_;
+  Pixel centre_;
+  Pixel unit_;
+};
+
+/// Filled shapes of one colour. Lines are drawn as polygons: OpenGL's core profile knows no widths.
+class Shapes {
+ public:
+  /// Shapes of a higher layer lie on top.
+  explicit Shapes(int layer) : layer_(layer) {}
+
+  void disc(Pixel centre, double radius) {
+    constexpr int corners = 24;
+    cells_->InsertNextCell(corners);
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / corners;
+      add(centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle));
+    }
+  }
+
+  /// Round joins and ends.
+  void line(const std::vector<Pixel>& points, bool closed, double width) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      disc(points[k], width / 2);
+      if (k + 1 < points.size() || closed) {
+        segment(points[k], points[(k + 1) % points.size()], width);
+      }
+    }
+  }
+
+  void draw(const Rgb& color, vtkRenderer& renderer) const {
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points_);
+    data->SetPolys(cells_);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+    actor->GetProperty()->LightingOff();
+    renderer.AddActor(actor);
+  }
+
+ private:
+  void add(double x, double y) { cells_->InsertCellPoint(points_->InsertNextPoint(x, y, layer_)); }
+
+  void segment(Pixel a, Pixel b, double width) {
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (!(length > 0)) return;
+    const double nx = -(b.y - a.y) / length * width / 2;
+    const double ny = (b.x - a.x) / length * width / 2;
+    cells_->InsertNextCell(4);
+    add(a.x + nx, a.y + ny);
+    add(a.x - nx, a.y - ny);
+    add(b.x - nx, b.y - ny);
+    add(b.x + nx, b.y + ny);
+  }
+
+  int layer_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkCellArray> cells_;
+};
+
+/// One unit is one drawn pixel, from the lower left corner.
+void set_pixel_camera(int width, int height, vtkCamera& camera) {
+  camera.ParallelProjectionOn();
+  camera.SetParallelScale(height / 2.0);
+  camera.SetFocalPoint(width / 2.0, height / 2.0, 0);
+  camera.SetPosition(width / 2.0, height / 2.0, 10);
+  camera.SetClippingRange(1, 20);
+}
+
+std::vector<Pixel> placed(const Polyline& line, const Axes& axes) {
+  std::vector<Pixel> points;
+  for (Index r = 0; r < line.points.rows(); ++r) points.push_back(axes(line, r));
+  return points;
+}
+
+}  // namespace
+
+void plot_curve(const Polyline& curve, const std::optional<Polyline>& control,
+                const PlotOptions& options, const std::filesystem::path& png) {
+  check_polyline(curve);
+  if (control) check_polyline(*control);
+  if (!(options.line_width > 0)) throw RenderError("the line width has to be positive");
+
+  Range x;
+  Range y;
+  for (const Polyline* line : {&curve, control ? &*control : nullptr}) {
+    if (line == nullptr) continue;
+    x.include(*line, 0);
+    y.include(*line, 1);
+  }
+  Canvas canvas(options.width, options.height, supersampling);
+  const Axes axes(x, y, options, canvas.supersampling());
+  const double width = options.line_width * canvas.supersampling();
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(options.background[0] / 255.0, options.background[1] / 255.0,
+                          options.background[2] / 255.0);
+  canvas.window().AddRenderer(renderer);
+  Shapes polygon(0);
+  Shapes line(1);
+  Shapes points(2);
+  if (control) {
+    const auto corners = placed(*control, axes);
+    polygon.line(corners, control->closed, width / 2);
+    for (const Pixel& corner : corners) points.disc(corner, 2 * width);
+    polygon.draw(options.control_color, *renderer);
+  }
+  line.line(placed(curve, axes), curve.closed, width);
+  line.draw(options.curve_color, *renderer);
+  if (control) points.draw(options.point_color, *renderer);
+  set_pixel_camera(options.width * canvas.supersampling(), options.height * canvas.supersampling(),
+                   *renderer->GetActiveCamera());
+  write_png(canvas.draw(), png);
+}
+
+}  // namespace arete::vtk

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "arete/analysis/smoothness_map.h"
+
+#include <gtest/gtest.h>
+
+#include "arete/scheme/catalogue.h"
+
+namespace arete {
+namespace {
+
+std::optional<Mask> line_member(const Rational& lambda, const Rational& omega) {
+  if (lambda > Rational(1) / 2) return std::nullopt;
+  return make_scheme("four-parameter", {{"lambda", {lambda}}, {"mu", {lambda}}, {"omega", {omega}}})
+      .mask();
+}
+
+// The map never says more than the full analysis, and agrees where it decides.
+TEST(SmoothnessMap, AgreesWithTheFullAnalysis) {
+  std::vector<Rational> xs;
+  std::vector<Rational> ys;
+  for (int i = 0; i < 9; ++i) xs.push_back(Rational(i) / 12);
+  for (int i = 0; i < 7; ++i) ys.push_back(Rational(i - 3) / 10);
+  const auto cells = smoothness_map(xs, ys, line_member);
+  ASSERT_EQ(cells.size(), xs.size() * ys.size());
+  int decided = 0;
+  for (std::size_t at = 0; at < cells.size(); ++at) {
+    const auto mask = line_member(xs[at % xs.size()], ys[at / xs.size()]);
+    ASSERT_EQ(cells[at].valid, mask.has_value());
+    if (!mask) continue;
+    const Smoothness full = analyze_smoothness(*mask);
+    EXPECT_LE(cells[at].certified, full.certified);
+    EXPECT_LE(cells[at].hoelder_lower, full.hoelder.upper);
+    if (cells[at].refuted_next) {
+      EXPECT_EQ(cells[at].certified, full.certified);
+      ++decided;
+    }
+  }
+  EXPECT_GT(decided, 20);
+}
+
+TEST(SmoothnessMap, CanBeStopped) {
+  const std::vector<Rational> xs(50, Rational(1) / 8);
+  const auto cells = smoothness_map(xs, xs, line_member, map_options(),
+                                    [](std::size_t) { return false; });
+  std::size_t invalid = 0;
+  for (const MapCell& cell : cells) invalid += cell.valid ? 0 : 1;
+  EXPECT_GT(invalid, 0U);
+}
+
+}  // namespace
+}  // namespace arete
