@@ -29,20 +29,28 @@ struct AnalyzeArguments {
 
 const char* verdict_name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::certified: return "certified";
-    case Verdict::refuted: return "refuted";
-    case Verdict::undecided: return "undecided";
+    case Verdict::certified:
+      return "certified";
+    case Verdict::refuted:
+      return "refuted";
+    case Verdict::undecided:
+      return "undecided";
   }
   return "";
 }
 
 const char* comparison_text(Comparison comparison) {
   switch (comparison) {
-    case Comparison::confirmed: return "confirmed by the certificate";
-    case Comparison::contradicted: return "CONTRADICTED: this is a counterexample";
-    case Comparison::too_weak: return "does not apply, although the order is certified";
-    case Comparison::silent: return "does not apply";
-    case Comparison::open: return "holds, not decided independently";
+    case Comparison::confirmed:
+      return "confirmed by the certificate";
+    case Comparison::contradicted:
+      return "CONTRADICTED: this is a counterexample";
+    case Comparison::too_weak:
+      return "does not apply, although the order is certified";
+    case Comparison::silent:
+      return "does not apply";
+    case Comparison::open:
+      return "holds, not decided independently";
   }
   return "";
 }
@@ -74,14 +82,13 @@ Json analysis_json(const Scheme& scheme, const Smoothness& truth) {
                           {"norm", to_string(truth.certificate.norm)}};
   object["refuted_at"] = truth.refuted_at ? Json(*truth.refuted_at) : Json(nullptr);
   const HoelderBounds& hoelder = truth.hoelder;
-  object["hoelder"] = {
-      {"lower", hoelder.lower},
-      {"upper", hoelder.upper},
-      {"attained",
-       three_valued(hoelder.attained != Attained::unknown, hoelder.attained == Attained::yes)},
-      {"word", to_text(hoelder.jsr.word)}};
-  object["stable"] = three_valued(hoelder.stability != Stability::unknown,
-                                  hoelder.stability == Stability::stable);
+  object["hoelder"] = {{"lower", hoelder.lower},
+                       {"upper", hoelder.upper},
+                       {"attained", three_valued(hoelder.attained != Attained::unknown,
+                                                 hoelder.attained == Attained::yes)},
+                       {"word", to_text(hoelder.jsr.word)}};
+  object["stable"] =
+      three_valued(hoelder.stability != Stability::unknown, hoelder.stability == Stability::stable);
   Json orders = Json::array();
   for (const OrderVerdict& order : truth.orders)
     orders.push_back({{"order", order.order},
@@ -146,8 +153,7 @@ void plot_basis_function(const Scheme& scheme, const AnalyzeArguments& a) {
   Curve<double> curve =
       refine_curve<double>(impulse.view(), scheme, {levels, false, Boundary::clamp});
   for (Index i = 0; i < curve.points.rows(); ++i)
-    curve.points(i, 0) = curve.parameter.first +
-                         static_cast<double>(i) * curve.parameter.spacing -
+    curve.points(i, 0) = curve.parameter.first + static_cast<double>(i) * curve.parameter.spacing -
                          static_cast<double>(reach);
   vtk::PlotOptions options;
   options.equal_axes = false;

@@ -29,7 +29,8 @@ void print_description(const Scheme& scheme) {
             << "sum rules            " << d["sum_rules"] << "\nreproduction degree  "
             << d["reproduction_degree"] << "\ninterpolatory        "
             << (d["interpolatory"].get<bool>() ? "yes" : "no") << "\novershoot            "
-            << d["overshoot"].get<std::string>() << "  of the range of the input, at most, a level\n"
+            << d["overshoot"].get<std::string>()
+            << "  of the range of the input, at most, a level\n"
             << "limit at sample 0    " << stencil_text(d["limit_stencil"])
             << "\nderivative there     " << stencil_text(d["derivative_stencil"]) << '\n';
 }
@@ -43,7 +44,8 @@ void add_describe(CLI::App& program, Job& job) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  verb->add_option("SCHEME", options->scheme, "Text form, e.g. four-point:omega=1/16, or @FILE.json")
+  verb->add_option("SCHEME", options->scheme,
+                   "Text form, e.g. four-point:omega=1/16, or @FILE.json")
       ->required();
   verb->add_flag("--json", options->json, "Print one JSON object");
   verb->callback([&job, options] {

@@ -11,9 +11,9 @@ namespace arete::cli {
 
 void check_disk(const std::string& path, const std::vector<std::string>& creation_options,
                 double bytes) {
-  const bool plain = std::any_of(
-      creation_options.begin(), creation_options.end(),
-      [](const std::string& option) { return option == "COMPRESS=NONE"; });
+  const bool plain =
+      std::any_of(creation_options.begin(), creation_options.end(),
+                  [](const std::string& option) { return option == "COMPRESS=NONE"; });
   constexpr double best_ratio = 50;
   const double needed = plain ? bytes : bytes / best_ratio;
   const auto folder = std::filesystem::absolute(path).parent_path();

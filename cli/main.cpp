@@ -27,8 +27,9 @@ bool has_verb(const CLI::App& program, const std::string& name) {
 
 int run(int argc, char** argv) {
   using namespace arete;
-  CLI::App program{"Parametric subdivision for terrain: fine surfaces from coarse grids, from "
-                   "gentle to craggy,\nwith a statement of how smooth they are."};
+  CLI::App program{
+      "Parametric subdivision for terrain: fine surfaces from coarse grids, from "
+      "gentle to craggy,\nwith a statement of how smooth they are."};
   program.name("arete");
   program.set_version_flag("--version", cli::build_info());
   program.require_subcommand(1);

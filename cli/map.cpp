@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // arete map: smoothness over a plane of two parameters.
-#include <atomic>
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -45,8 +45,7 @@ MapRange parse_range(const std::string& text, const char* option) {
   const auto equals = text.find('=');
   const auto first = text.find(':');
   const auto second = first == std::string::npos ? first : text.find(':', first + 1);
-  if (equals == std::string::npos || equals == 0 || second == std::string::npos ||
-      first < equals)
+  if (equals == std::string::npos || equals == 0 || second == std::string::npos || first < equals)
     throw Misuse(form);
   MapRange range{text.substr(0, equals), {}, {}};
   std::string keys = range.name + ",";
@@ -132,8 +131,8 @@ std::vector<vtk::MapClass> map_classes() {
                                      {"does not converge", {60, 60, 66}},
                                      {"undecided", {190, 190, 190}}};
   // From warm (rough) to cold (smooth); readable without colour by its falling lightness.
-  const std::vector<vtk::Rgb> ramp{{250, 214, 140}, {240, 160, 80},  {215, 95, 75}, {160, 55, 105},
-                                   {100, 40, 130},  {50, 40, 120}, {20, 25, 80}};
+  const std::vector<vtk::Rgb> ramp{{250, 214, 140}, {240, 160, 80}, {215, 95, 75}, {160, 55, 105},
+                                   {100, 40, 130},  {50, 40, 120},  {20, 25, 80}};
   for (int order = 0; order <= highest_class; ++order)
     classes.push_back({"C^" + std::to_string(order) + (order == highest_class ? " or more" : ""),
                        ramp[static_cast<std::size_t>(order)]});
@@ -152,11 +151,11 @@ void write_png(const std::filesystem::path& path, const std::string& size, const
   if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
       static_cast<std::size_t>(used) != size.size())
     throw Misuse("--size '" + size + "' is not of the form 1000x800");
-  vtk::ClassMap map{{x.name, to_double(x.values.front()), to_double(x.values.back())},
-                    {y.name, to_double(y.values.front()), to_double(y.values.back())},
-                    Grid<int>({static_cast<Index>(y.values.size()),
-                               static_cast<Index>(x.values.size())}),
-                    map_classes()};
+  vtk::ClassMap map{
+      {x.name, to_double(x.values.front()), to_double(x.values.back())},
+      {y.name, to_double(y.values.front()), to_double(y.values.back())},
+      Grid<int>({static_cast<Index>(y.values.size()), static_cast<Index>(x.values.size())}),
+      map_classes()};
   std::transform(cells.begin(), cells.end(), map.cells.samples().begin(), class_of);
   vtk::plot_map(map, {width, height}, path);
 }
@@ -181,9 +180,9 @@ void draw_map(const MapArguments& a) {
     // The bar is for one thread; the others only count.
     const auto owner = std::this_thread::get_id();
     cells = smoothness_map(
-        x.values, y.values,
-        [&](const Rational& u, const Rational& v) { return plane.mask(u, v); },
-        map_options(a.max_power), [&](std::size_t done) {
+        x.values, y.values, [&](const Rational& u, const Rational& v) { return plane.mask(u, v); },
+        map_options(a.max_power),
+        [&](std::size_t done) {
           finished = std::max(finished.load(), done);
           if (std::this_thread::get_id() == owner) {
             try {

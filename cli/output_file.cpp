@@ -24,8 +24,7 @@ OutputFile::OutputFile(const std::string& path, const std::string& input, bool o
   if (fs::exists(place_, ignored)) {
     if (!input.empty() && fs::equivalent(place_, input, ignored))
       throw Failure(path + " is the input itself; name another output");
-    if (fs::is_directory(place_, ignored))
-      throw Failure(path + " is a folder; name a file in it");
+    if (fs::is_directory(place_, ignored)) throw Failure(path + " is a folder; name a file in it");
     if (!overwrite) throw Failure(path + " exists; give --overwrite to replace it");
     // Replace what a link points to, not the link.
     if (fs::is_symlink(place_, ignored)) place_ = fs::canonical(place_);
@@ -53,8 +52,7 @@ void OutputFile::commit() {
   // A side file of the file that is replaced would describe the wrong samples.
   fs::remove(side_file(place_), error);
   fs::rename(temporary_, place_, error);
-  if (error)
-    throw Failure(place_.string() + " cannot be replaced (" + error.message() + ")");
+  if (error) throw Failure(place_.string() + " cannot be replaced (" + error.message() + ")");
   if (fs::exists(side_file(temporary_), error))
     fs::rename(side_file(temporary_), side_file(place_), error);
   temporary_.clear();

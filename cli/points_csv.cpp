@@ -79,8 +79,8 @@ Points read_points(const std::string& path) {
   }
   if (stream.bad() || columns == 0 || values.empty())
     throw Failure(path + " holds no points; give lines like 3.5,-2");
-  points.values = Grid<double>(
-      {static_cast<Index>(values.size() / columns), static_cast<Index>(columns)});
+  points.values =
+      Grid<double>({static_cast<Index>(values.size() / columns), static_cast<Index>(columns)});
   points.values.samples() = std::move(values);
   return points;
 }

@@ -6,8 +6,6 @@
 #include <memory>
 #include <sstream>
 
-#include <tbb/info.h>
-
 #include "arete/analysis/limit_stencil.h"
 #include "arete/gdal/refine_raster.h"
 #include "cli/disk_space.h"
@@ -86,17 +84,14 @@ RefineOptions options_from(const RefineArguments& arguments, const Scheme& x, co
 
 void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
             const gdal::RasterReport& done, double seconds) {
-  const double samples = static_cast<double>(done.output.rows) *
-                         static_cast<double>(done.output.cols) * done.bands;
+  const double samples =
+      static_cast<double>(done.output.rows) * static_cast<double>(done.output.cols) * done.bands;
   const double speed = seconds > 0 ? samples / seconds : 0;
-  const int threads = arguments.threads > 0 ? arguments.threads : tbb::info::default_concurrency();
+  const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
   if (arguments.json) {
-    Json object{{"input", arguments.input},
-                {"output", arguments.output},
-                {"rows", done.output.rows},
-                {"cols", done.output.cols},
-                {"bands", done.bands},
-                {"levels", arguments.levels},
+    Json object{{"input", arguments.input}, {"output", arguments.output},
+                {"rows", done.output.rows}, {"cols", done.output.cols},
+                {"bands", done.bands},      {"levels", arguments.levels},
                 {"scheme", x.text()}};
     if (!(x == y)) object["scheme_y"] = y.text();
     object["seconds"] = seconds;
@@ -128,8 +123,8 @@ void refine(const RefineArguments& arguments) {
   const Scheme x = read_scheme(arguments.scheme);
   const Scheme y = arguments.scheme_y.empty() ? x : read_scheme(arguments.scheme_y);
   const RefineOptions options = options_from(arguments, x, y);
-  const double memory = arguments.max_memory.empty() ? default_memory()
-                                                     : parse_memory_size(arguments.max_memory);
+  const double memory =
+      arguments.max_memory.empty() ? default_memory() : parse_memory_size(arguments.max_memory);
   const auto type =
       arguments.type == "float64" ? gdal::SampleType::float64 : gdal::SampleType::float32;
 
@@ -170,8 +165,9 @@ void add_refine(CLI::App& program, Job& job) {
       "refine", "Refine a raster into a GeoTIFF (.tif) or a VTK file (.vti, .vts, .vtp)");
   auto a = std::make_shared<RefineArguments>();
   verb->add_option("IN", a->input, "Any raster that GDAL reads")->required();
-  verb->add_option("OUT", a->output,
-                   "The format follows the extension: .tif, .vti (heights), .vts or .vtp (geometry)")
+  verb->add_option(
+          "OUT", a->output,
+          "The format follows the extension: .tif, .vti (heights), .vts or .vtp (geometry)")
       ->required();
   verb->add_option("--scheme", a->scheme,
                    "Scheme, e.g. gentle or four-point:omega=1/16 ('arete schemes' lists all)")

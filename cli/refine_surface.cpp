@@ -56,12 +56,12 @@ std::optional<GradientGrids> limit_gradients(GridView<const T> samples, const Sc
   options.final_result = FinalResult::attribute;
   options.final_x = slope_x;
   options.final_y = limit_y;
-  const Grid<T> along_row = refine_with_progress(
-      Refiner<T>(x, y, samples.extent(), options), samples, progress, 0.3, 0.5);
+  const Grid<T> along_row = refine_with_progress(Refiner<T>(x, y, samples.extent(), options),
+                                                 samples, progress, 0.3, 0.5);
   options.final_x = limit_x;
   options.final_y = slope_y;
-  const Grid<T> along_column = refine_with_progress(
-      Refiner<T>(x, y, samples.extent(), options), samples, progress, 0.5, 0.7);
+  const Grid<T> along_column = refine_with_progress(Refiner<T>(x, y, samples.extent(), options),
+                                                    samples, progress, 0.5, 0.7);
 
   // dz/dcol = z_x g1 + z_y g4, dz/drow = z_x g2 + z_y g5, solved for z_x and z_y.
   const auto& g = fine.affine;
@@ -92,11 +92,11 @@ gdal::RasterReport refine_as(const gdal::Raster& input, int band,
       refine_with_progress(refiner, coarse.view(), progress, 0, form == ".vti" ? 0.7 : 0.3);
   if (std::none_of(heights.samples().begin(), heights.samples().end(),
                    [](T value) { return std::isfinite(value); }))
-    throw Failure(input.path() + " has no valid result: no four neighbouring samples are all "
+    throw Failure(input.path() +
+                  " has no valid result: no four neighbouring samples are all "
                   "valid; check its nodata value with gdalinfo");
 
-  vtk::Surface surface =
-      raster_surface<T>(input, refined(input.place(), refiner), heights.view());
+  vtk::Surface surface = raster_surface<T>(input, refined(input.place(), refiner), heights.view());
   surface.notes = {{"arete_scheme", x.text()},
                    {"arete_scheme_y", y.text()},
                    {"arete_levels", std::to_string(options.levels)}};
@@ -105,8 +105,7 @@ gdal::RasterReport refine_as(const gdal::Raster& input, int band,
   } else {
     std::optional<GradientGrids> gradients;
     if (!options.final_x)
-      gradients =
-          limit_gradients(coarse.view(), x, y, options, surface.georeference, progress);
+      gradients = limit_gradients(coarse.view(), x, y, options, surface.georeference, progress);
     if (gradients)
       surface.gradients = vtk::Gradients{gradients->dz_dx.view(), gradients->dz_dy.view()};
     surface.notes.push_back({"normals", gradients ? "limit tangents" : "central differences"});

@@ -97,8 +97,7 @@ void render(const RenderArguments& a) {
 
 std::string colormap_names() {
   std::string names;
-  for (const vtk::Colormap& map : vtk::colormaps())
-    names += (names.empty() ? "" : ", ") + map.name;
+  for (const vtk::Colormap& map : vtk::colormaps()) names += (names.empty() ? "" : ", ") + map.name;
   return names;
 }
 

@@ -42,7 +42,8 @@ Scheme scheme_from_json(const std::string& text, const std::string& where) {
   const auto object = nlohmann::json::parse(text, nullptr, false);
   if (object.is_discarded()) throw InvalidScheme(where + " is not JSON");
   if (!object.is_object() || !object.contains("scheme") || !object["scheme"].is_string())
-    throw InvalidScheme(where + " has no text under the key \"scheme\"; write it with "
+    throw InvalidScheme(where +
+                        " has no text under the key \"scheme\"; write it with "
                         "'arete describe SCHEME --json'");
   return parse_scheme(object["scheme"].get<std::string>());
 }

@@ -12,9 +12,12 @@ namespace {
 
 const char* kind_name(ParameterKind kind) {
   switch (kind) {
-    case ParameterKind::real: return "real";
-    case ParameterKind::integer: return "integer";
-    case ParameterKind::list: return "list";
+    case ParameterKind::real:
+      return "real";
+    case ParameterKind::integer:
+      return "integer";
+    case ParameterKind::list:
+      return "list";
   }
   return "";
 }
@@ -64,9 +67,10 @@ void print_catalogue() {
                 << p.meaning << '\n';
     }
   }
-  std::cout << "\nWrite a scheme as name or name:key=value,key=value, e.g. "
-               "four-parameter:lambda=7/32,mu=7/32,nu=1/2,omega=3/64.\n"
-               "The ranges are the useful ones; 'arete schemes --json' also has what is accepted.\n";
+  std::cout
+      << "\nWrite a scheme as name or name:key=value,key=value, e.g. "
+         "four-parameter:lambda=7/32,mu=7/32,nu=1/2,omega=3/64.\n"
+         "The ranges are the useful ones; 'arete schemes --json' also has what is accepted.\n";
 }
 
 }  // namespace

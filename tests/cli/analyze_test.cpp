@@ -71,8 +71,9 @@ TEST(cli_map, cells_are_what_analyze_says_of_their_schemes) {
     std::getline(cells, omega, ',');
     std::getline(cells, valid, ',');
     std::getline(cells, certified, ',');
-    const auto a = run_json({"analyze", "four-parameter:lambda=" + lambda + ",mu=" + lambda +
-                                            ",omega=" + omega, "--json"});
+    const auto a = run_json(
+        {"analyze", "four-parameter:lambda=" + lambda + ",mu=" + lambda + ",omega=" + omega,
+         "--json"});
     EXPECT_EQ(valid, "1");
     EXPECT_EQ(std::stoi(certified), a.at("smoothness").at("certified")) << line;
     ++rows;
@@ -83,8 +84,8 @@ TEST(cli_map, cells_are_what_analyze_says_of_their_schemes) {
 TEST(cli_map, bad_ranges_are_misuse) {
   const test::TemporaryFolder folder;
   for (const char* x : {"omega", "omega=0:1", "omega=0:1:0", "omega=a:1:5", "=0:1:5", "w=0:1:5"}) {
-    const auto run = run_arete({"map", "four-parameter", folder.file("m.csv"), "--x", x, "--y",
-                                "nu=0:1:3"});
+    const auto run =
+        run_arete({"map", "four-parameter", folder.file("m.csv"), "--x", x, "--y", "nu=0:1:3"});
     EXPECT_EQ(run.exit_code, 2) << x << run.err;
   }
   EXPECT_EQ(folder.entries(), 0);

@@ -24,8 +24,7 @@ TEST(cli_curve, chaikin_cuts_the_corners_of_a_closed_square) {
   const auto run = run_arete({"curve", folder.file("square.csv"), folder.file("out.csv"),
                               "--scheme", "chaikin", "--closed"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(text_of(folder.file("out.csv")),
-            "x,y\n2,0\n6,0\n8,2\n8,6\n6,8\n2,8\n0,6\n0,2\n");
+  EXPECT_EQ(text_of(folder.file("out.csv")), "x,y\n2,0\n6,0\n8,2\n8,6\n6,8\n2,8\n0,6\n0,2\n");
 }
 
 TEST(cli_curve, tau_says_where_each_point_lies_among_the_control_points) {

@@ -102,9 +102,9 @@ TEST(cli_refine, cells_keep_the_bounding_box) {
 
 TEST(cli_refine, a_scheme_that_misses_the_cells_says_by_how_much) {
   const test::TemporaryFolder folder;
-  const auto report =
-      run_json({"refine", dem, folder.file("out.tif"), "--scheme",
-                "four-parameter:lambda=3/32,mu=1/32,nu=1/4,omega=1/32", "--align", "cells", "--json"});
+  const auto report = run_json({"refine", dem, folder.file("out.tif"), "--scheme",
+                                "four-parameter:lambda=3/32,mu=1/32,nu=1/4,omega=1/32", "--align",
+                                "cells", "--json"});
   EXPECT_NE(report.at("misplacement").at("x"), 0);
 }
 
@@ -145,8 +145,8 @@ TEST(cli_refine, interruption_leaves_no_file_behind) {
 
 TEST(cli_refine, nothing_is_drawn_when_stderr_is_no_terminal) {
   const test::TemporaryFolder folder;
-  const auto run = run_arete(
-      {"refine", dem, folder.file("out.tif"), "--scheme", "gentle", "--levels", "4"});
+  const auto run =
+      run_arete({"refine", dem, folder.file("out.tif"), "--scheme", "gentle", "--levels", "4"});
   EXPECT_EQ(run.err, "");
   EXPECT_NE(run.out.find("6433 x 5489"), std::string::npos) << run.out;
 }

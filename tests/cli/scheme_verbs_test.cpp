@@ -32,9 +32,17 @@ TEST(cli, schemes_lists_the_whole_catalogue_with_ranges_and_defaults) {
 
 TEST(cli, describe_prints_the_keys_of_the_contract_exactly) {
   const auto d = run_json({"describe", "b-spline:degree=3", "--json"});
-  const std::set<std::string> contract{
-      "scheme", "arity", "first", "mask", "tau", "sum_rules", "reproduction_degree",
-      "interpolatory", "overshoot", "limit_stencil", "derivative_stencil"};
+  const std::set<std::string> contract{"scheme",
+                                       "arity",
+                                       "first",
+                                       "mask",
+                                       "tau",
+                                       "sum_rules",
+                                       "reproduction_degree",
+                                       "interpolatory",
+                                       "overshoot",
+                                       "limit_stencil",
+                                       "derivative_stencil"};
   std::set<std::string> keys;
   for (const auto& [key, value] : d.items()) keys.insert(key);
   EXPECT_EQ(keys, contract);

@@ -46,7 +46,8 @@ void for_all(Law&& law) {
 TEST(catalogue_laws, the_samples_of_the_laws_cover_every_family) {
   std::set<std::string> families;
   for (const Scheme& scheme : test::sample_schemes()) families.insert(scheme.name());
-  for (const Family& family : catalogue()) EXPECT_EQ(families.count(family.name), 1u) << family.name;
+  for (const Family& family : catalogue())
+    EXPECT_EQ(families.count(family.name), 1u) << family.name;
 }
 
 TEST(catalogue_laws, constants_stay) {
@@ -108,13 +109,13 @@ TEST(catalogue_laws, polynomials_up_to_the_reproduction_degree_are_reproduced) {
     const auto worst_error = [&](int power) {
       Grid<double> line({40, 1});
       for (Index r = 0; r < 40; ++r) line(r, 0) = value(static_cast<double>(r), power);
-      const Grid<double> fine =
-          Refiner<double>(AxisPlan::identity(1), plan)(line.view());
+      const Grid<double> fine = Refiner<double>(AxisPlan::identity(1), plan)(line.view());
       const AxisPlacement at = plan.placement();
       double worst = 0;
       for (Index r = 0; r < fine.rows(); ++r)
-        worst = std::max(worst, std::abs(fine(r, 0) - value(at.first + static_cast<double>(r) *
-                                                                           at.spacing, power)));
+        worst = std::max(
+            worst,
+            std::abs(fine(r, 0) - value(at.first + static_cast<double>(r) * at.spacing, power)));
       return worst;
     };
     for (int power = 0; power <= degree; ++power)

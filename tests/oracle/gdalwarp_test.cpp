@@ -30,8 +30,8 @@ Dataset in_memory(Grid<double>& grid) {
   dataset->SetGeoTransform(affine);
   EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(
                 GF_Write, 0, 0, static_cast<int>(grid.cols()), static_cast<int>(grid.rows()),
-                grid.samples().data(), static_cast<int>(grid.cols()),
-                static_cast<int>(grid.rows()), GDT_Float64, 0, 0, nullptr),
+                grid.samples().data(), static_cast<int>(grid.cols()), static_cast<int>(grid.rows()),
+                GDT_Float64, 0, 0, nullptr),
             CE_None);
   return dataset;
 }
@@ -44,30 +44,44 @@ Grid<double> warped(Grid<double> grid, const char* kernel, int factor) {
   const Index rows = factor * (grid.rows() - 1) + 1;
   const double pixel = 1.0 / factor;
   const double edge = 0.5 - pixel / 2;
-  const std::string extent[]{std::to_string(edge),
-                             std::to_string(-edge - pixel * static_cast<double>(rows)),
-                             std::to_string(edge + pixel * static_cast<double>(cols)),
-                             std::to_string(-edge)};
+  const std::string extent[]{
+      std::to_string(edge), std::to_string(-edge - pixel * static_cast<double>(rows)),
+      std::to_string(edge + pixel * static_cast<double>(cols)), std::to_string(-edge)};
   const std::string width = std::to_string(cols);
   const std::string height = std::to_string(rows);
-  const char* arguments[]{"-of", "MEM", "-r", kernel, "-ot", "Float64", "-et", "0",
-                          "-te", extent[0].c_str(), extent[1].c_str(), extent[2].c_str(),
-                          extent[3].c_str(), "-ts", width.c_str(), height.c_str(), nullptr};
+  const char* arguments[]{"-of",
+                          "MEM",
+                          "-r",
+                          kernel,
+                          "-ot",
+                          "Float64",
+                          "-et",
+                          "0",
+                          "-te",
+                          extent[0].c_str(),
+                          extent[1].c_str(),
+                          extent[2].c_str(),
+                          extent[3].c_str(),
+                          "-ts",
+                          width.c_str(),
+                          height.c_str(),
+                          nullptr};
   GDALWarpAppOptions* options = GDALWarpAppOptionsNew(const_cast<char**>(arguments), nullptr);
   GDALDatasetH in = source.get();
   const Dataset out(GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &in, options, nullptr)),
                     &GDALClose);
   GDALWarpAppOptionsFree(options);
   Grid<double> result({rows, cols});
-  EXPECT_EQ(out->GetRasterBand(1)->RasterIO(
-                GF_Read, 0, 0, static_cast<int>(cols), static_cast<int>(rows),
-                result.samples().data(), static_cast<int>(cols), static_cast<int>(rows),
-                GDT_Float64, 0, 0, nullptr),
-            CE_None);
+  EXPECT_EQ(
+      out->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, static_cast<int>(cols), static_cast<int>(rows),
+                                      result.samples().data(), static_cast<int>(cols),
+                                      static_cast<int>(rows), GDT_Float64, 0, 0, nullptr),
+      CE_None);
   return result;
 }
 
-// gdalwarp lowers its order near the border, where it has no rule; `rim` input samples are left out.
+// gdalwarp lowers its order near the border, where it has no rule; `rim` input samples are left
+// out.
 double largest_difference(const Grid<double>& a, const Grid<double>& b, Index rim, int factor) {
   EXPECT_EQ(a.extent(), b.extent());
   double largest = 0;
@@ -80,15 +94,15 @@ double largest_difference(const Grid<double>& a, const Grid<double>& b, Index ri
 TEST(gdalwarp, one_level_of_the_four_point_scheme_is_the_cubic_kernel) {
   // Exactly where no rounding happens (integers and eighths, dyadic weights)...
   const gdal::Raster dem(std::string(ARETE_SOURCE_DIR) + "/data/jacksboro_srtm3.tif");
-  for (const Grid<double>& input : {gdal::read_band<double>(dem, dem.bands().front()),
-                                    test::dyadic_heights({21, 50}, 2)})
+  for (const Grid<double>& input :
+       {gdal::read_band<double>(dem, dem.bands().front()), test::dyadic_heights({21, 50}, 2)})
     EXPECT_EQ(largest_difference(refine(input, parse_scheme("four-point")),
                                  warped(input, "cubic", 2), 2, 2),
               0);
   // ... and to some ulps of the heights, up to 900, where sums are taken in another order.
   const Grid<double> input = test::random_heights({40, 33}, 1);
-  EXPECT_LE(largest_difference(refine(input, parse_scheme("four-point")),
-                               warped(input, "cubic", 2), 2, 2),
+  EXPECT_LE(largest_difference(refine(input, parse_scheme("four-point")), warped(input, "cubic", 2),
+                               2, 2),
             4 * 512 * DBL_EPSILON);
 }
 

@@ -32,8 +32,8 @@ TEST(axis_plan, nodes_of_dual_and_asymmetric_schemes_lie_where_tau_puts_them_and
   const AxisPlan spline = plan("b-spline:degree=2", 5, 1, Alignment::nodes);
   EXPECT_EQ(spline.first_position(), Rational(1, 4));
   EXPECT_EQ(spline.output_count(), 8);
-  for (const char* scheme : {"four-parameter:lambda=3/32,mu=1/32,nu=1/4,omega=1/32",
-                             "three-point", "ternary-two-step", "corner-cutting:u=1/5,v=3/10"}) {
+  for (const char* scheme : {"four-parameter:lambda=3/32,mu=1/32,nu=1/4,omega=1/32", "three-point",
+                             "ternary-two-step", "corner-cutting:u=1/5,v=3/10"}) {
     for (int levels : {1, 2, 5}) {
       const AxisPlan p = plan(scheme, 7, levels, Alignment::nodes);
       const Rational last = p.first_position() + (p.output_count() - 1) * p.spacing();
@@ -46,8 +46,9 @@ TEST(axis_plan, nodes_of_dual_and_asymmetric_schemes_lie_where_tau_puts_them_and
 }
 
 TEST(axis_plan, cells_tile_the_same_box_for_primal_dual_and_ternary_schemes) {
-  for (const char* scheme : {"four-point", "b-spline", "chaikin", "b-spline:degree=2", "three-point",
-                             "ternary-four-point", "ternary-two-step", "ternary-two-step-9"}) {
+  for (const char* scheme :
+       {"four-point", "b-spline", "chaikin", "b-spline:degree=2", "three-point",
+        "ternary-four-point", "ternary-two-step", "ternary-two-step-9"}) {
     for (int levels : {0, 1, 2, 3}) {
       const AxisPlan p = plan(scheme, 6, levels, Alignment::cells);
       Index scale = 1;

@@ -16,8 +16,8 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Grid<double> with_holes(Grid<double> grid, double value = nan) {
-  for (const auto& [r, c] : {std::pair<Index, Index>{3, 4}, {3, 5}, {4, 5}, {9, 0}, {0, 8}, {11, 12},
-                             {6, 9}, {7, 8}})
+  for (const auto& [r, c] :
+       {std::pair<Index, Index>{3, 4}, {3, 5}, {4, 5}, {9, 0}, {0, 8}, {11, 12}, {6, 9}, {7, 8}})
     grid(r, c) = value;
   return grid;
 }
@@ -32,7 +32,8 @@ bool cell_is_complete(const Grid<double>& input, Index i, Index j) {
 bool expected_valid(const Grid<double>& input, const Rational& y, const Rational& x) {
   for (Index i = 0; i + 1 < input.rows(); ++i)
     for (Index j = 0; j + 1 < input.cols(); ++j)
-      if (y >= i && y <= i + 1 && x >= j && x <= j + 1 && cell_is_complete(input, i, j)) return true;
+      if (y >= i && y <= i + 1 && x >= j && x <= j + 1 && cell_is_complete(input, i, j))
+        return true;
   return false;
 }
 
@@ -85,9 +86,9 @@ TEST(missing, a_plane_beside_holes_stays_exactly_that_plane) {
         for (Index c = 0; c < fine.cols(); ++c) {
           if (std::isnan(fine(r, c))) continue;
           ++valid;
-          const Rational height =
-              96 + 12 * (refiner.y().first_position() + r * refiner.y().spacing()) -
-              24 * (refiner.x().first_position() + c * refiner.x().spacing());
+          const Rational height = 96 +
+                                  12 * (refiner.y().first_position() + r * refiner.y().spacing()) -
+                                  24 * (refiner.x().first_position() + c * refiner.x().spacing());
           ASSERT_EQ(Rational(fine(r, c)), height) << name << " at " << r << ", " << c;
         }
       EXPECT_GT(valid, fine.rows() * fine.cols() / 2);

@@ -69,9 +69,8 @@ void check_curve(const json& record, Boundary boundary, int levels, Index first_
   Table<Rational> columns = transposed(control);
   for (Rationals& column : columns) column = refine_reference(plan, column);
   const Table<Rational> expected = points_of(record.at("expect").at("points"));
-  const Curve<double> curve =
-      refine_curve<double>(to_double_grid(control).view(), scheme,
-                           {levels, boundary == Boundary::periodic, boundary});
+  const Curve<double> curve = refine_curve<double>(
+      to_double_grid(control).view(), scheme, {levels, boundary == Boundary::periodic, boundary});
   // The paper's rule counts its mask with the zeros at its ends; ours may start earlier.
   const Index offset = first_index - plan.ranges().back().first;
   ASSERT_GE(offset, 0) << id;

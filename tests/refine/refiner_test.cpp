@@ -23,7 +23,8 @@ bool same_bits(const Grid<T>& a, const Grid<T>& b) {
 template <class T>
 Table<T> to_table(const Grid<T>& grid) {
   Table<T> table;
-  for (Index r = 0; r < grid.rows(); ++r) table.emplace_back(grid.row(r), grid.row(r) + grid.cols());
+  for (Index r = 0; r < grid.rows(); ++r)
+    table.emplace_back(grid.row(r), grid.row(r) + grid.cols());
   return table;
 }
 
@@ -160,8 +161,7 @@ TEST(refiner, limit_stencils_of_an_approximating_scheme_leave_the_limit_in_place
   options.levels = 3;
   const Grid<double> fine = refine(input, scheme, options);
   for (Index r = 0; r < coarse.rows(); ++r)
-    for (Index c = 0; c < coarse.cols(); ++c)
-      EXPECT_NEAR(coarse(r, c), fine(4 * r, 4 * c), 1e-11);
+    for (Index c = 0; c < coarse.cols(); ++c) EXPECT_NEAR(coarse(r, c), fine(4 * r, 4 * c), 1e-11);
 }
 
 TEST(refiner, sizes_that_do_not_fit_are_refused) {

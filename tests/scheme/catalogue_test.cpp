@@ -11,11 +11,24 @@ namespace {
 Mask mask_of(const char* text) { return parse_scheme(text).mask(); }
 
 TEST(catalogue, holds_every_name_of_the_contract_once) {
-  const std::set<std::string> contract{
-      "four-parameter", "four-point", "four-parameter-c2", "gentle", "craggy", "two-parameter",
-      "three-parameter", "difference", "three-point", "ternary-two-step", "ternary-two-step-9",
-      "ternary-four-point", "corner-cutting", "chaikin", "de-rham", "b-spline",
-      "dubuc-deslauriers", "mask"};
+  const std::set<std::string> contract{"four-parameter",
+                                       "four-point",
+                                       "four-parameter-c2",
+                                       "gentle",
+                                       "craggy",
+                                       "two-parameter",
+                                       "three-parameter",
+                                       "difference",
+                                       "three-point",
+                                       "ternary-two-step",
+                                       "ternary-two-step-9",
+                                       "ternary-four-point",
+                                       "corner-cutting",
+                                       "chaikin",
+                                       "de-rham",
+                                       "b-spline",
+                                       "dubuc-deslauriers",
+                                       "mask"};
   std::set<std::string> names;
   for (const Family& family : catalogue()) EXPECT_TRUE(names.insert(family.name).second);
   EXPECT_EQ(names, contract);
@@ -35,14 +48,14 @@ TEST(catalogue, defaults_lie_in_the_accepted_and_the_usual_range) {
 }
 
 TEST(catalogue, text_form_round_trips_for_every_family) {
-  for (const char* text :
-       {"four-parameter:lambda=7/32,mu=7/32,nu=1/2,omega=3/64", "four-point", "four-point:omega=0.07",
-        "four-parameter-c2:nu=1/4", "gentle", "craggy", "two-parameter:a=1/7,m=3,raise=0",
-        "three-parameter:a=-1/48,c=-1/48", "difference:a0=1/10,a1=0,a2=3/20,a3=1/4,m=1,raise=1",
-        "three-point", "ternary-two-step:b=-1/5", "ternary-two-step-9:b=1/6",
-        "ternary-four-point:mu=1/10", "corner-cutting:u=1/5,v=1/4", "chaikin", "de-rham",
-        "b-spline:degree=5", "dubuc-deslauriers:points=8",
-        "mask:arity=2,first=-3,coefficients=-1/16;0;9/16;1;9/16;0;-1/16"}) {
+  for (const char* text : {"four-parameter:lambda=7/32,mu=7/32,nu=1/2,omega=3/64", "four-point",
+                           "four-point:omega=0.07", "four-parameter-c2:nu=1/4", "gentle", "craggy",
+                           "two-parameter:a=1/7,m=3,raise=0", "three-parameter:a=-1/48,c=-1/48",
+                           "difference:a0=1/10,a1=0,a2=3/20,a3=1/4,m=1,raise=1", "three-point",
+                           "ternary-two-step:b=-1/5", "ternary-two-step-9:b=1/6",
+                           "ternary-four-point:mu=1/10", "corner-cutting:u=1/5,v=1/4", "chaikin",
+                           "de-rham", "b-spline:degree=5", "dubuc-deslauriers:points=8",
+                           "mask:arity=2,first=-3,coefficients=-1/16;0;9/16;1;9/16;0;-1/16"}) {
     const Scheme scheme = parse_scheme(text);
     EXPECT_EQ(parse_scheme(scheme.text()), scheme) << text;
   }

@@ -50,7 +50,8 @@ Rational parse_unsigned_decimal(std::string_view whole, std::string_view body) {
   }
   if (!all_digits(digits)) reject(whole, "is not a number; write 7, -7/32 or 0.0625");
   Rational value(digits_to_integer(digits));
-  const Integer scale = boost::multiprecision::pow(Integer(10), exponent < 0 ? -exponent : exponent);
+  const Integer scale =
+      boost::multiprecision::pow(Integer(10), exponent < 0 ? -exponent : exponent);
   return exponent < 0 ? value / Rational(scale) : value * Rational(scale);
 }
 

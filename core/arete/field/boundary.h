@@ -12,12 +12,12 @@ namespace arete {
 ///
 /// With samples p_0..p_{n-1} and k >= 1:
 enum class Boundary {
-  extrapolate,  ///< p_{-k} = p_0 + k (p_0 - p_1): planes stay planes. For the cubic B-spline this is
-                ///< Catmull-Clark with OpenSubdiv's VTX_BOUNDARY_EDGE_AND_CORNER, exactly.
-  clamp,        ///< p_{-k} = p_0
-  reflect,      ///< p_{-k} = p_k (the end sample is not repeated)
-  periodic,     ///< p_{-k} = p_{n-k}: the axis is closed, n samples a turn
-  none          ///< no ghosts: only new samples whose whole stencil exists; the domain shrinks
+  extrapolate,  ///< p_{-k} = p_0 + k (p_0 - p_1): planes stay planes. For the cubic B-spline this
+                ///< is Catmull-Clark with OpenSubdiv's VTX_BOUNDARY_EDGE_AND_CORNER, exactly.
+  clamp,     ///< p_{-k} = p_0
+  reflect,   ///< p_{-k} = p_k (the end sample is not repeated)
+  periodic,  ///< p_{-k} = p_{n-k}: the axis is closed, n samples a turn
+  none       ///< no ghosts: only new samples whose whole stencil exists; the domain shrinks
 };
 
 /// The rule along each axis.

@@ -66,7 +66,8 @@ class Grid {
 
  private:
   static std::size_t size(Extent extent) {
-    if (extent.rows < 0 || extent.cols < 0) throw InvalidField("a grid cannot have negative extent");
+    if (extent.rows < 0 || extent.cols < 0)
+      throw InvalidField("a grid cannot have negative extent");
     return static_cast<std::size_t>(extent.rows) * static_cast<std::size_t>(extent.cols);
   }
 

@@ -124,8 +124,7 @@ void AxisPlan::plan_lattice(const Mask& mask, const AxisOptions& options) {
 void AxisPlan::plan_further_level(const Mask& mask, const AxisOptions& options,
                                   const Integer& offset) {
   LevelRule last{mask.arity(), mask.symbol()};
-  if (options.final_stencil)
-    last.symbol = last.symbol * filter(*options.final_stencil).symbol;
+  if (options.final_stencil) last.symbol = last.symbol * filter(*options.final_stencil).symbol;
   const Index phase = to_index(offset);
   rules_.assign(static_cast<std::size_t>(options.levels), {mask.arity(), mask.symbol()});
   rules_.push_back(decimated(last, phase));

@@ -21,7 +21,8 @@ enum class Alignment {
 /// What a filter after the last level makes.
 enum class FinalResult {
   samples,   ///< new samples, which lie where the limit is evaluated (see AxisPlan)
-  attribute  ///< one more number of each sample (a derivative): counted and placed as without filter
+  attribute  ///< one more number of each sample (a derivative): counted and placed as without
+             ///< filter
 };
 
 /// What is done along one axis.
@@ -42,7 +43,8 @@ struct AxisOptions {
 /// two sum rules, asymmetric and dual ones included. Samples made by a limit stencil lie at the
 /// classical parameter of theirs: s = -tau m^N/(m - 1).
 ///
-/// - `nodes` keeps those i with 0 <= (i + s)/m^N <= count - 1; `periodic` keeps i = 0..count m^N - 1
+/// - `nodes` keeps those i with 0 <= (i + s)/m^N <= count - 1; `periodic` keeps i = 0..count m^N -
+/// 1
 ///   (one turn); `none` keeps what can be computed without ghosts.
 /// - `cells` wants the positions (j + 1/2)/m^N - 1/2, j = 0..count m^N - 1. They are on the lattice
 ///   of level N (dual binary, primal ternary schemes), or on that of level N+1 (primal binary

@@ -18,7 +18,8 @@ template <class R>
   return near + R(from.steps) * (near - samples[static_cast<std::size_t>(from.far)]);
 }
 
-/// One level: the samples `fine` of rule applied to `coarse`, whose first sample has index `origin`.
+/// One level: the samples `fine` of rule applied to `coarse`, whose first sample has index
+/// `origin`.
 template <class R>
 [[nodiscard]] std::vector<R> apply_rule(const PhasedRule<R>& rule, const std::vector<R>& coarse,
                                         Index origin, IndexRange fine) {
@@ -28,8 +29,7 @@ template <class R>
     const PhaseStencil<R>& stencil = rule.phases[static_cast<std::size_t>(k - rule.arity * q)];
     R sum(0);
     for (std::size_t i = 0; i < stencil.weights.size(); ++i) {
-      const R& sample =
-          coarse[static_cast<std::size_t>(q + stencil.first - origin) + i];
+      const R& sample = coarse[static_cast<std::size_t>(q + stencil.first - origin) + i];
       sum = i == 0 ? R(stencil.weights[i] * sample) : R(sum + stencil.weights[i] * sample);
     }
     result.push_back(sum);

@@ -73,13 +73,12 @@ double Refiner<T>::working_bytes(Index band_rows) const {
     samples += static_cast<double>(x_.ranges()[level].count()) *
                static_cast<double>(y_.rules()[level].symbol.coefficients().size() + 1);
   samples += 3.0 * static_cast<double>(x_.output_count());
-  const int threads = threads_ > 0 ? threads_ : tbb::info::default_concurrency();
+  const int threads = threads_ > 0 ? threads_ : available_threads();
   return samples * sizeof(T) * threads;
 }
 
 template <class T>
-void Refiner<T>::refine_rows(const RowSource<T>& source, Index first_row,
-                             GridView<T> band) const {
+void Refiner<T>::refine_rows(const RowSource<T>& source, Index first_row, GridView<T> band) const {
   if (source.extent() != input())
     throw InvalidField("the source has another size than the refiner was prepared for");
   if (band.cols() != x_.output_count() || first_row < 0 ||
@@ -95,21 +94,19 @@ void Refiner<T>::refine_rows(const RowSource<T>& source, Index first_row,
     return;
   }
   // More threads than the machine has would only make oneTBB complain.
-  const int available = tbb::info::default_concurrency();
+  const int available = available_threads();
   const int wanted = threads_ > 0 ? threads_ : available;
   tbb::task_arena arena(std::min(wanted, available));
   const Index share = std::clamp(band.rows() / (2 * wanted), Index{32}, part_rows);
   const Index parts = (band.rows() + share - 1) / share;
   arena.execute([&] {
-    tbb::parallel_for(Index{0}, parts, [&](Index i) {
-      part(i * share, std::min((i + 1) * share, band.rows()));
-    });
+    tbb::parallel_for(Index{0}, parts,
+                      [&](Index i) { part(i * share, std::min((i + 1) * share, band.rows())); });
   });
 }
 
 template <class T>
-void Refiner<T>::refine_part(const RowSource<T>& source, Index first_row,
-                             GridView<T> part) const {
+void Refiner<T>::refine_part(const RowSource<T>& source, Index first_row, GridView<T> part) const {
   if (part.rows() == 0) return;
   const IndexRange outputs{first_row, first_row + part.rows() - 1};
   const InputWindow<T> input(source, y_.ranges_for(outputs).front(), boundaries(), reach_);
@@ -133,8 +130,8 @@ void Refiner<T>::clear_missing(const InputWindow<T>& input, Index first_row,
   std::vector<bool> valid_cells(static_cast<std::size_t>(highest - lowest + 1));
   Cells previous{1, 0};
   for (Index r = 0; r < part.rows(); ++r) {
-    const Cells rows = cells_at(y_.first_position() + (first_row + r) * y_.spacing(), extent.rows,
-                                y_.boundary());
+    const Cells rows =
+        cells_at(y_.first_position() + (first_row + r) * y_.spacing(), extent.rows, y_.boundary());
     if (rows.first != previous.first || rows.last != previous.last) {
       const auto valid_cell = [&](Index i, Index j) {
         const Index below = extent.rows == 1 ? i : i + 1;
@@ -162,6 +159,8 @@ Grid<T> Refiner<T>::operator()(GridView<const T> samples) const {
   refine_rows(GridSource<T>(samples), 0, result.view());
   return result;
 }
+
+int available_threads() { return tbb::info::default_concurrency(); }
 
 template <class T>
 Grid<T> refine(GridView<const T> samples, const Scheme& scheme, const RefineOptions& options) {

@@ -70,6 +70,9 @@ class Refiner {
   std::vector<PhasedRule<T>> y_rules_;
 };
 
+/// How many threads this machine runs at once: what `threads = 0` means.
+[[nodiscard]] int available_threads();
+
 /// One call: the grid refined by the scheme along both axes. Equal to Refiner's result.
 template <class T>
 [[nodiscard]] Grid<T> refine(GridView<const T> samples, const Scheme& scheme,

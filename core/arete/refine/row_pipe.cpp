@@ -86,9 +86,9 @@ void RowPipe<T>::read_input_row(Index row, T* out) {
   for (Index c = columns.first; c <= columns.last; ++c) {
     const Continuation from = continued(x_boundary_, c, count);
     out[c - columns.first] =
-        from.steps == 0 ? line[from.near]
-                        : line[from.near] +
-                              static_cast<T>(from.steps) * (line[from.near] - line[from.far]);
+        from.steps == 0
+            ? line[from.near]
+            : line[from.near] + static_cast<T>(from.steps) * (line[from.near] - line[from.far]);
   }
 }
 

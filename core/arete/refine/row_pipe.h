@@ -21,8 +21,8 @@ class RowPipe {
   /// A pipe for the results number `outputs` (rows, 0-based) of the plans, all columns. Plans,
   /// rules and input must outlive it. Both axes have equally many levels (see `AxisRules`).
   RowPipe(const std::vector<PhasedRule<T>>& y_rules, const AxisPlan& y,
-          const std::vector<PhasedRule<T>>& x_rules, const AxisPlan& x,
-          const InputWindow<T>& input, IndexRange outputs);
+          const std::vector<PhasedRule<T>>& x_rules, const AxisPlan& x, const InputWindow<T>& input,
+          IndexRange outputs);
 
   /// Writes the next result row (x.output_count() samples).
   void next(T* out);

@@ -30,9 +30,7 @@ class Mask {
   [[nodiscard]] int arity() const { return arity_; }
   [[nodiscard]] int first() const { return symbol_.lowest(); }
   [[nodiscard]] int last() const { return symbol_.highest(); }
-  [[nodiscard]] const std::vector<Rational>& coefficients() const {
-    return symbol_.coefficients();
-  }
+  [[nodiscard]] const std::vector<Rational>& coefficients() const { return symbol_.coefficients(); }
   /// a_k, zero outside first..last.
   [[nodiscard]] Rational operator[](int k) const { return symbol_[k]; }
   /// a(z) = sum a_k z^k.

@@ -20,14 +20,14 @@ struct ParameterRange {
 /// One knob of a scheme family: what the command line, the dialogs, the documentation and the law
 /// tests all read.
 struct Parameter {
-  std::string name;     ///< the key in the text form, e.g. `omega`
-  std::string symbol;   ///< as printed in the literature, e.g. `w`
+  std::string name;    ///< the key in the text form, e.g. `omega`
+  std::string symbol;  ///< as printed in the literature, e.g. `w`
   ParameterKind kind = ParameterKind::real;
-  ParameterRange accepted;  ///< values outside are refused
-  ParameterRange usual;     ///< where a slider should move
+  ParameterRange accepted;           ///< values outside are refused
+  ParameterRange usual;              ///< where a slider should move
   std::optional<Rational> fallback;  ///< the default; none: the caller must give a value
-  std::string meaning;  ///< one line
-  int step = 1;         ///< integers only: lowest, lowest + step, ...
+  std::string meaning;               ///< one line
+  int step = 1;                      ///< integers only: lowest, lowest + step, ...
   /// The key stands for name0, name1, ... (any number of them, without gaps).
   bool repeats = false;
 };

@@ -69,10 +69,10 @@ void check_value(const Family& family, const Parameter& parameter, const Paramet
     if (parameter.kind == ParameterKind::integer &&
         !is_integer(Rational((number - parameter.accepted.lowest) / parameter.step)))
       throw InvalidScheme(where + " = " + to_string(number) + " must be an integer" +
-                          (parameter.step == 1 ? ""
-                                               : " in steps of " + std::to_string(parameter.step) +
-                                                     " from " +
-                                                     to_string(parameter.accepted.lowest)));
+                          (parameter.step == 1
+                               ? ""
+                               : " in steps of " + std::to_string(parameter.step) + " from " +
+                                     to_string(parameter.accepted.lowest)));
   }
 }
 

@@ -39,11 +39,10 @@ inline DatasetPointer make_raster(const std::string& path, const RasterSpec& spe
   std::vector<const char*> options = spec.options;
   options.push_back(nullptr);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(spec.driver);
-  DatasetPointer dataset(
-      driver->Create(path.c_str(), static_cast<int>(spec.extent.cols),
-                     static_cast<int>(spec.extent.rows), spec.bands, spec.type,
-                     const_cast<char**>(options.data())),
-      &GDALClose);
+  DatasetPointer dataset(driver->Create(path.c_str(), static_cast<int>(spec.extent.cols),
+                                        static_cast<int>(spec.extent.rows), spec.bands, spec.type,
+                                        const_cast<char**>(options.data())),
+                         &GDALClose);
   dataset->SetMetadataItem(GDALMD_AREA_OR_POINT, spec.point ? GDALMD_AOP_POINT : GDALMD_AOP_AREA);
   auto affine = spec.affine;
   dataset->SetGeoTransform(affine.data());

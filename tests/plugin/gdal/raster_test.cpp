@@ -77,8 +77,8 @@ TEST(raster, nodata_masks_and_alpha_come_as_missing_samples) {
     masked->CreateMaskBand(GMF_PER_DATASET);
     std::vector<unsigned char> mask(12 * 16, 255);
     mask[2 * 16 + 3] = 0;
-    ASSERT_EQ(masked->GetRasterBand(1)->GetMaskBand()->RasterIO(
-                  GF_Write, 0, 0, 16, 12, mask.data(), 16, 12, GDT_Byte, 0, 0, nullptr),
+    ASSERT_EQ(masked->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Write, 0, 0, 16, 12, mask.data(),
+                                                                16, 12, GDT_Byte, 0, 0, nullptr),
               CE_None);
   }
   spec.bands = 2;

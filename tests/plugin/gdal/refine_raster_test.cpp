@@ -27,7 +27,8 @@ RefineOptions levels(int count, Alignment alignment = Alignment::nodes) {
 }
 
 void refine_file(const std::string& in, const std::string& out, const char* scheme,
-                 const RefineOptions& options, gdal::RasterOutput form = {SampleType::float64, {}}) {
+                 const RefineOptions& options,
+                 gdal::RasterOutput form = {SampleType::float64, {}}) {
   gdal::refine_raster(Raster(in), out, parse_scheme(scheme), parse_scheme(scheme), options, form,
                       {});
 }
@@ -60,8 +61,8 @@ TEST(refine_raster, a_plane_planted_in_world_coordinates_is_found_again_in_its_p
           const Grid<double> heights = gdal::read_band<double>(fine, fine.bands().front());
           for (Index r = 0; r < heights.rows(); ++r)
             for (Index c = 0; c < heights.cols(); ++c) {
-              const WorldPoint p = fine.georeference()->position(static_cast<double>(r),
-                                                                 static_cast<double>(c));
+              const WorldPoint p =
+                  fine.georeference()->position(static_cast<double>(r), static_cast<double>(c));
               ASSERT_NEAR(heights(r, c), 3 * (p.x - 500000) - 2 * (p.y - 4000000), 1e-6)
                   << scheme << " rotated " << rotated << " point " << point;
             }
@@ -114,10 +115,9 @@ TEST(refine_raster, what_a_band_says_of_itself_is_carried) {
   spec.type = GDT_Int16;
   spec.nodata = -32767;
   {
-    const auto dataset =
-        test::make_raster(folder.file("in.tif"), spec, [](int, Index r, Index c) {
-          return r == 0 && c == 0 ? -32767.0 : static_cast<double>(r * 3 + c);
-        });
+    const auto dataset = test::make_raster(folder.file("in.tif"), spec, [](int, Index r, Index c) {
+      return r == 0 && c == 0 ? -32767.0 : static_cast<double>(r * 3 + c);
+    });
     GDALRasterBand* band = dataset->GetRasterBand(1);
     band->SetScale(0.5);
     band->SetOffset(100);
@@ -192,9 +192,9 @@ TEST(refine_raster, impossible_rasters_and_outputs_are_refused) {
                gdal::RasterError);
   spec.nodata.reset();
   test::make_raster(folder.file("in.tif"), spec, [](int, Index r, Index) { return r; });
-  EXPECT_THROW(refine_file(folder.file("in.tif"), folder.file("no/such/folder.tif"), "gentle",
-                           levels(1)),
-               gdal::RasterError);
+  EXPECT_THROW(
+      refine_file(folder.file("in.tif"), folder.file("no/such/folder.tif"), "gentle", levels(1)),
+      gdal::RasterError);
   EXPECT_THROW(refine_file(folder.file("in.tif"), out, "gentle", levels(1),
                            {SampleType::float32, {"COMPRES=ZSTD"}}),
                gdal::RasterError);

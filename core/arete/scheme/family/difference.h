@@ -21,8 +21,8 @@ template <class R>
                                               int raise) {
   const LaurentPolynomial<R> half(0, {fraction<R>(1, 2)});
   const auto smoothing = smoothing_factor<R>(2);
-  const auto symbol = LaurentPolynomial<R>(0, coefficients) * power(smoothing, m + 1 + raise) *
-                      power(half, raise);
+  const auto symbol =
+      LaurentPolynomial<R>(0, coefficients) * power(smoothing, m + 1 + raise) * power(half, raise);
   const int c_degree = static_cast<int>(coefficients.size()) - 1;
   const int degree = c_degree + m + 1 + raise;
   const bool paper_scheme_3 = c_degree == 1 && m == 1 && raise == 1;

@@ -17,8 +17,8 @@ template <class R>
 [[nodiscard]] LaurentPolynomial<R> four_parameter(const R& lambda, const R& mu, const R& nu,
                                                   const R& omega) {
   const R half = fraction<R>(1, 2);
-  const R left = R(2) * omega * nu;               // 2 omega nu
-  const R right = R(2) * omega * (R(1) - nu);     // 2 omega (1 - nu)
+  const R left = R(2) * omega * nu;            // 2 omega nu
+  const R right = R(2) * omega * (R(1) - nu);  // 2 omega (1 - nu)
   const R centre = R(1) - lambda - mu;
   return LaurentPolynomial<R>(
       -3, {R(0) - right, mu, half + left, centre, half + right, lambda, R(0) - left});

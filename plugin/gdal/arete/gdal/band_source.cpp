@@ -16,14 +16,13 @@ void BandSource<T>::read(Index r, T* out) const {
   GDALRasterBand* band = raster_.dataset().GetRasterBand(band_.number);
   const int row = static_cast<int>(r);
   const int cols = static_cast<int>(raster_.extent().cols);
-  CPLErr status =
-      band->RasterIO(GF_Read, 0, row, cols, 1, out, cols, 1, type, 0, 0, nullptr);
+  CPLErr status = band->RasterIO(GF_Read, 0, row, cols, 1, out, cols, 1, type, 0, 0, nullptr);
   if (status == CE_None && (band_.masked || band_.alpha_band != 0)) {
     mask_.resize(static_cast<std::size_t>(cols));
-    GDALRasterBand* mask = band_.masked ? band->GetMaskBand()
-                                        : raster_.dataset().GetRasterBand(band_.alpha_band);
-    status = mask->RasterIO(GF_Read, 0, row, cols, 1, mask_.data(), cols, 1, GDT_Byte, 0, 0,
-                            nullptr);
+    GDALRasterBand* mask =
+        band_.masked ? band->GetMaskBand() : raster_.dataset().GetRasterBand(band_.alpha_band);
+    status =
+        mask->RasterIO(GF_Read, 0, row, cols, 1, mask_.data(), cols, 1, GDT_Byte, 0, 0, nullptr);
     for (int c = 0; c < cols; ++c)
       if (mask_[static_cast<std::size_t>(c)] == 0) out[c] = std::numeric_limits<T>::quiet_NaN();
   }

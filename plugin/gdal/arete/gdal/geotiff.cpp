@@ -60,8 +60,8 @@ void set_reference(GDALDataset& dataset, const GeoTiffSpec& spec) {
   if (!spec.control_points.empty()) {
     std::vector<GDAL_GCP> points;
     for (const ControlPoint& p : spec.control_points)
-      points.push_back({const_cast<char*>(p.id.c_str()), const_cast<char*>(p.info.c_str()),
-                        p.pixel, p.line, p.x, p.y, p.z});
+      points.push_back({const_cast<char*>(p.id.c_str()), const_cast<char*>(p.info.c_str()), p.pixel,
+                        p.line, p.x, p.y, p.z});
     const OGRSpatialReference reference = reference_from(spec.control_point_crs);
     dataset.SetGCPs(static_cast<int>(points.size()), points.data(),
                     spec.control_point_crs.empty() ? nullptr : &reference);

@@ -82,7 +82,8 @@ void Raster::read_bands() {
       throw RasterError(where + " holds complex numbers (" + GDALGetDataTypeName(type) +
                         "); extract a real part first, e.g. with gdal_calc.py");
     if (band->GetColorTable() != nullptr)
-      throw RasterError(where + " holds palette indices, which cannot be interpolated; expand it "
+      throw RasterError(where +
+                        " holds palette indices, which cannot be interpolated; expand it "
                         "first with gdal_translate -expand rgb");
     BandInfo info;
     info.number = number;
@@ -107,9 +108,9 @@ void Raster::read_bands() {
   if (!bands_.empty()) return;
   const char* subdataset = dataset_->GetMetadataItem("SUBDATASET_1_NAME", "SUBDATASETS");
   throw RasterError(path_ + " has no data band" +
-                    (subdataset != nullptr ? "; name one of its subdatasets, e.g. " +
-                                                 std::string(subdataset)
-                                           : "; give a raster with heights"));
+                    (subdataset != nullptr
+                         ? "; name one of its subdatasets, e.g. " + std::string(subdataset)
+                         : "; give a raster with heights"));
 }
 
 void Raster::read_reference() {

@@ -18,11 +18,11 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 /// What a band says about itself.
 struct BandInfo {
-  int number = 1;          ///< counted from 1, as GDAL does
-  std::string type;        ///< GDAL's name, e.g. Int16
-  bool floating = false;   ///< may hold NaN
-  bool masked = false;     ///< GDAL offers a mask of it: nodata, mask band, alpha of bytes
-  int alpha_band = 0;      ///< otherwise the alpha band (0: none); 0 in it means no sample
+  int number = 1;         ///< counted from 1, as GDAL does
+  std::string type;       ///< GDAL's name, e.g. Int16
+  bool floating = false;  ///< may hold NaN
+  bool masked = false;    ///< GDAL offers a mask of it: nodata, mask band, alpha of bytes
+  int alpha_band = 0;     ///< otherwise the alpha band (0: none); 0 in it means no sample
   std::optional<double> nodata;
   std::optional<double> scale;
   std::optional<double> offset;
@@ -52,7 +52,8 @@ class Raster {
   [[nodiscard]] const std::vector<BandInfo>& bands() const { return bands_; }
   /// Nothing when the file has no georeference.
   [[nodiscard]] const std::optional<Georeference>& georeference() const { return georeference_; }
-  /// The georeference, or, when there is none, one that puts sample (row, col) at x = col, y = -row.
+  /// The georeference, or, when there is none, one that puts sample (row, col) at x = col, y =
+  /// -row.
   [[nodiscard]] Georeference place() const;
   /// The coordinate reference system as WKT; empty when there is none.
   [[nodiscard]] const std::string& crs() const { return crs_; }

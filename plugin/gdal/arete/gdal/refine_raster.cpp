@@ -54,7 +54,8 @@ void refine_bands(const Raster& input, GeoTiffWriter& writer, const Refiner<T>& 
     }
   }
   if (!any_valid)
-    throw RasterError(input.path() + " has no valid result: no four neighbouring samples are all "
+    throw RasterError(input.path() +
+                      " has no valid result: no four neighbouring samples are all "
                       "valid; check its nodata value with gdalinfo");
 }
 

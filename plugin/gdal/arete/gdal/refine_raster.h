@@ -31,11 +31,13 @@ using Progress = std::function<void(double)>;
 
 /// Refines every band of a raster into a GeoTIFF at `output`, band of rows by band of rows: memory
 /// grows with the width of the result, never with its height. CRS, geotransform (rotated ones too),
-/// control points, AREA_OR_POINT, nodata, scale, offset, unit, description and metadata are carried.
+/// control points, AREA_OR_POINT, nodata, scale, offset, unit, description and metadata are
+/// carried.
 ///
 /// Missing samples become the input's nodata value, or NaN when it has none; a valid result that
 /// happens to equal the nodata value is moved to the next number towards zero.
-/// \throws RasterError, InvalidField; the file at `output` is then not usable and should be removed.
+/// \throws RasterError, InvalidField; the file at `output` is then not usable and should be
+/// removed.
 RasterReport refine_raster(const Raster& input, const std::string& output, const Scheme& x,
                            const Scheme& y, const RefineOptions& options, const RasterOutput& form,
                            const Progress& progress);

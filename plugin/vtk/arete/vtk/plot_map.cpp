@@ -48,8 +48,8 @@ double legend_width(const ClassMap& map, double font) {
 class Frame {
  public:
   Frame(const ClassMap& map, std::array<int, 2> size, double font)
-      : box_{5.5 * font, 4.5 * font, size[0] - legend_width(map, font),
-             size[1] - 1.5 * font}, map_(map) {}
+      : box_{5.5 * font, 4.5 * font, size[0] - legend_width(map, font), size[1] - 1.5 * font},
+        map_(map) {}
 
   [[nodiscard]] const Box& box() const { return box_; }
   [[nodiscard]] double cell_width() const {
@@ -59,8 +59,8 @@ class Frame {
     return (box_[3] - box_[1]) / static_cast<double>(map_.cells.rows());
   }
   [[nodiscard]] double x(double value) const {
-    return box_[0] + (share(map_.x, value) * static_cast<double>(map_.cells.cols() - 1) + 0.5) *
-                         cell_width();
+    return box_[0] +
+           (share(map_.x, value) * static_cast<double>(map_.cells.cols() - 1) + 0.5) * cell_width();
   }
   [[nodiscard]] double y(double value) const {
     return box_[1] + (share(map_.y, value) * static_cast<double>(map_.cells.rows() - 1) + 0.5) *

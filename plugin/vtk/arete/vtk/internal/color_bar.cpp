@@ -38,7 +38,8 @@ std::vector<double> bar_ticks(const ColorBar& bar) {
 int color_bar_width(const ColorBar& bar, int height) {
   const Layout layout(height);
   std::size_t longest = bar.units.size();
-  for (const std::string& text : tick_labels(bar_ticks(bar))) longest = std::max(longest, text.size());
+  for (const std::string& text : tick_labels(bar_ticks(bar)))
+    longest = std::max(longest, text.size());
   const double text_width = 0.6 * layout.font * static_cast<double>(longest);
   return static_cast<int>(std::ceil(layout.bar_width + 3 * layout.gap + text_width));
 }
