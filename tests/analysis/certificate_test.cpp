@@ -33,9 +33,9 @@ TEST(ContractivityNorm, MeetsTheOracleOfNorms) {
     const Mask mask = test::mask_of(record.at("input"));
     const auto norms = test::exact_list(record.at("expect"));
     for (std::size_t i = 0; i < norms.size(); ++i)
-      EXPECT_EQ(contractivity_norm(mask, record.at("input").at("k").get<int>(),
-                                   static_cast<int>(i) + 1),
-                norms[i]);
+      EXPECT_EQ(
+          contractivity_norm(mask, record.at("input").at("k").get<int>(), static_cast<int>(i) + 1),
+          norms[i]);
   }
 }
 

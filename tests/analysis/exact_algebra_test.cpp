@@ -47,8 +47,8 @@ TEST(SchurCohn, IsExactOnTheUnitCircle) {
   EXPECT_TRUE(is_schur_stable(from_roots({almost, -almost, 0, Rational(1) / 3})));
   EXPECT_FALSE(is_schur_stable(from_roots({1, 0, Rational(1) / 3})));
   EXPECT_FALSE(is_schur_stable(from_roots({-1, Rational(1) / 2})));
-  EXPECT_FALSE(is_schur_stable({1, 0, 1}));                    // +-i
-  EXPECT_TRUE(is_schur_stable({almost, 0, 1}));                // just inside
+  EXPECT_FALSE(is_schur_stable({1, 0, 1}));      // +-i
+  EXPECT_TRUE(is_schur_stable({almost, 0, 1}));  // just inside
   EXPECT_FALSE(is_schur_stable(from_roots({2, Rational(1) / 2})));
   EXPECT_TRUE(is_schur_stable({5}));
 }

@@ -69,8 +69,8 @@ TEST(DifferenceTheorems, MeetTheOracle) {
     EXPECT_EQ(printed.holds, expect.at("printed_condition").get<bool>());
     EXPECT_FALSE(printed.sound);
     const DifferenceConvergence truth = difference_convergence(coefficients);
-    EXPECT_EQ(truth.verdict, expect.at("convergent").get<bool>() ? Verdict::certified
-                                                                 : Verdict::refuted);
+    EXPECT_EQ(truth.verdict,
+              expect.at("convergent").get<bool>() ? Verdict::certified : Verdict::refuted);
     std::vector<std::string> violated;
     for (const Word& word : truth.violated) violated.push_back(to_text(word));
     EXPECT_EQ(violated, expect.at("violated_words").get<std::vector<std::string>>());
@@ -122,7 +122,8 @@ TEST(Theorems, AreComparedWithTheTruth) {
     const Scheme scheme = parse_scheme(text);
     const Smoothness truth = analyze_smoothness(scheme.mask());
     std::vector<Comparison> all;
-    for (const TheoremResult& theorem : theorems_for(scheme)) all.push_back(compare(theorem, truth));
+    for (const TheoremResult& theorem : theorems_for(scheme))
+      all.push_back(compare(theorem, truth));
     return all;
   };
   using enum Comparison;
@@ -131,8 +132,7 @@ TEST(Theorems, AreComparedWithTheTruth) {
   EXPECT_EQ(comparisons("craggy"), (std::vector{too_weak, silent, silent}));
   EXPECT_EQ(comparisons("four-parameter-c2"), (std::vector{confirmed, confirmed, confirmed}));
   // Theorem 4 promises C^1 here; word 01 refutes it.
-  EXPECT_EQ(comparisons("three-parameter:a=1/4,c=-19/20,m=2,raise=1"),
-            (std::vector{contradicted}));
+  EXPECT_EQ(comparisons("three-parameter:a=1/4,c=-19/20,m=2,raise=1"), (std::vector{contradicted}));
   EXPECT_EQ(comparisons("ternary-two-step:b=0.6"), (std::vector{confirmed, confirmed, too_weak}));
   // Every statement that is true is never contradicted, on all of the catalogue's defaults.
   for (const Family& family : catalogue()) {
@@ -241,7 +241,7 @@ TEST(TernaryTheorem, LargestPowersCrossOneAtTheEndsOfTheOracle) {
   }
 }
 
-// The sharp ends: refuted by an exact word just outside, certified (by a polytope) 1e-3 inside.
+// The sharp ends: refuted by an exact word just outside, certified (by a polytope) just inside.
 TEST(TernaryTheorem, IsSharpWhereTheOracleSays) {
   const std::vector<Word> words = {{0}, {1}, {2}, {0, 1}, {0, 2}, {1, 2}};
   for (const auto& record : test::ternary_and_reverse_records("t.sharp_interval")) {
@@ -262,9 +262,11 @@ TEST(TernaryTheorem, IsSharpWhereTheOracleSays) {
     EXPECT_NEAR(to_double(interval->upper), record.at("expect").at("upper").get<double>(), 1e-8);
     EXPECT_EQ(analyze_smoothness(ternary(interval->fails_below)).refuted_at, order);
     EXPECT_EQ(analyze_smoothness(ternary(interval->fails_above)).refuted_at, order);
+    // At the upper end of C^1 the leading eigenvalues are a complex pair: no polytope is tight.
     const Rational inside = Rational(1) / 1000;
+    const Rational upper_inside = order == 1 ? 10 * inside : inside;
     EXPECT_EQ(analyze_smoothness(ternary(interval->lower + inside)).certified, order);
-    EXPECT_EQ(analyze_smoothness(ternary(interval->upper - inside)).certified, order);
+    EXPECT_EQ(analyze_smoothness(ternary(interval->upper - upper_inside)).certified, order);
   }
 }
 

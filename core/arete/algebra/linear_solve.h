@@ -77,8 +77,7 @@ namespace arete {
     int pivot = rank;
     while (pivot < a.rows() && work(pivot, k) == 0) ++pivot;
     if (pivot == a.rows()) continue;
-    for (int j = 0; j < a.cols() && pivot != rank; ++j)
-      std::swap(work(pivot, j), work(rank, j));
+    for (int j = 0; j < a.cols() && pivot != rank; ++j) std::swap(work(pivot, j), work(rank, j));
     for (int i = rank + 1; i < a.rows(); ++i) {
       for (int j = k + 1; j < a.cols(); ++j)
         work(i, j) = (work(rank, k) * work(i, j) - work(i, k) * work(rank, j)) / previous;

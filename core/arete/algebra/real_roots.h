@@ -111,12 +111,11 @@ struct Division {
 /// Sturm's theorem. Exact.
 [[nodiscard]] inline int distinct_real_roots(const Coefficients& p, const Rational& lowest,
                                              const Rational& highest) {
-  const Coefficients simple =
-      primitive_part(divided(p, gcd_of(p, derivative_of(p))).quotient);  // the same roots, once each
+  const Coefficients simple = primitive_part(
+      divided(p, gcd_of(p, derivative_of(p))).quotient);  // the same roots, once each
   std::vector<Coefficients> chain = {simple, primitive_part(derivative_of(simple))};
   while (!chain.back().empty()) {
-    Coefficients rest =
-        primitive_part(divided(chain[chain.size() - 2], chain.back()).remainder);
+    Coefficients rest = primitive_part(divided(chain[chain.size() - 2], chain.back()).remainder);
     for (Rational& c : rest) c = -c;
     chain.push_back(std::move(rest));
   }

@@ -26,9 +26,9 @@ struct OrderProof {
 
 /// All that norms of powers prove. "Not certified" never means "not smooth": see refutation.h.
 struct Certificate {
-  int order = -1;   ///< largest proved order; -1: not even uniform convergence was proved
-  int power = 0;    ///< the power of that order's proof, 0 if there is none
-  Rational norm;    ///< the exact norm of that order's proof, 0 if there is none
+  int order = -1;  ///< largest proved order; -1: not even uniform convergence was proved
+  int power = 0;   ///< the power of that order's proof, 0 if there is none
+  Rational norm;   ///< the exact norm of that order's proof, 0 if there is none
   int sum_rules = 0;
   std::vector<OrderProof> proofs;  ///< every proved order, ascending, each with its smallest power
   bool exhausted = false;  ///< some order was not tried up to max_power: the work budget ran out

@@ -48,8 +48,7 @@ std::vector<TheoremResult> corner_cutting_results(const Rational& u, const Ratio
   TheoremResult spectrum;
   spectrum.name = "spectra of L and R (Kotarski, Gdawiec)";
   spectrum.statement = "L: {1, 1-u-v, u}, R: {1, 1-u-v, v}; the spectrum tells the smoothness";
-  const Rational largest =
-      std::max({Rational(abs(1 - u - v)), Rational(abs(u)), Rational(abs(v))});
+  const Rational largest = std::max({Rational(abs(1 - u - v)), Rational(abs(u)), Rational(abs(v))});
   spectrum.values = {largest};
   spectrum.holds = largest < 1;
   spectrum.sound = false;

@@ -15,8 +15,8 @@ namespace arete {
 struct CornerCuttingFacts {
   std::array<Rational, 3> left_spectrum;   ///< {1, 1-u-v, u}
   std::array<Rational, 3> right_spectrum;  ///< {1, 1-u-v, v}
-  bool converges = false;      ///< u, v >= 0 and 0 < u+v < 1, or u+v = 1 with u, v > 0
-  bool degenerate = false;     ///< u+v = 1: the limit is the segment between two division points
+  bool converges = false;                  ///< u, v >= 0 and 0 < u+v < 1, or u+v = 1 with u, v > 0
+  bool degenerate = false;  ///< u+v = 1: the limit is the segment between two division points
   /// C^1 as a function of the dyadic parameter: u+v = 1/2 with u, v > 0.
   bool smooth_parameter = false;
   /// The limit *curve* of a polygon in general position has a continuous tangent: u, v > 0,

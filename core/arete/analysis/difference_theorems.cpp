@@ -72,7 +72,7 @@ DifferenceConvergence difference_convergence(const std::vector<Rational>& coeffi
   iterate.advance();
   result.norm2 = iterate.norm();
   const LocalMatrices local = local_matrices(2, c);
-  const std::vector<Word> words = {{0},       {1},       {0, 1},       {0, 0, 1},
+  const std::vector<Word> words = {{0},       {1},          {0, 1},      {0, 0, 1},
                                    {0, 1, 1}, {0, 0, 0, 1}, {0, 1, 1, 1}};
   for (const Word& word : words)
     if (word_reaches(local, word, 1)) result.violated.push_back(word);

@@ -12,8 +12,8 @@ namespace arete {
 
 [[nodiscard]] double approximate_spectral_radius(const Matrix<double>& a);
 
-/// The eigenvectors of all eigenvalues of the largest modulus (relative 1e-8); of a complex pair the
-/// real and the imaginary part.
+/// The eigenvectors of all eigenvalues of the largest modulus (relative 1e-8); of a complex pair
+/// the real and the imaginary part.
 struct LeadingVectors {
   double radius = 0;
   std::vector<std::vector<double>> vectors;

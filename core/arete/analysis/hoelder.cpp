@@ -33,8 +33,7 @@ bool is_defective(const LocalMatrices& local, const Word& word, const Rational& 
 Attained attained_integer(const Mask& mask, const FactoredMask& parts, int n, const Word& word) {
   if (n < 0 || n > parts.rules) return Attained::unknown;
   const int m = mask.arity();
-  const auto q =
-      parts.rest * power(smoothing_factor<Rational>(m), parts.rules - n);
+  const auto q = parts.rest * power(smoothing_factor<Rational>(m), parts.rules - n);
   OperatorPower iterate(m, q);
   std::int64_t budget = tried_work;
   for (int tried = 1; tried <= tried_powers; ++tried) {
@@ -51,7 +50,8 @@ Attained attained_integer(const Mask& mask, const FactoredMask& parts, int n, co
   if (!word.empty()) words.push_back(word);
   for (const Word& candidate : words) {
     const Rational value =
-        Rational(1) / power(Rational(m), static_cast<unsigned>(n * static_cast<int>(candidate.size())));
+        Rational(1) /
+        power(Rational(m), static_cast<unsigned>(n * static_cast<int>(candidate.size())));
     if (is_defective(local, candidate, value) || is_defective(local, candidate, -value))
       return Attained::no;
   }
@@ -65,10 +65,9 @@ double negative_log(const Rational& value, int arity) {
   const Integer bottom = boost::multiprecision::denominator(value);
   if (top <= 0) return std::numeric_limits<double>::infinity();
   // An integer quotient of some 80 bits, so that no size can overflow a double.
-  const int shift =
-      80 - (static_cast<int>(msb(top)) - static_cast<int>(msb(bottom)));
-  const Integer quotient = shift >= 0 ? Integer((top << shift) / bottom)
-                                      : Integer(top / (bottom << -shift));
+  const int shift = 80 - (static_cast<int>(msb(top)) - static_cast<int>(msb(bottom)));
+  const Integer quotient =
+      shift >= 0 ? Integer((top << shift) / bottom) : Integer(top / (bottom << -shift));
   const double log_value = std::log(quotient.convert_to<double>()) - shift * std::log(2.0);
   return -log_value / std::log(static_cast<double>(arity));
 }
@@ -92,8 +91,7 @@ HoelderBounds hoelder_bounds(const Mask& mask, const JsrOptions& options) {
   result.upper = negative_log(result.jsr.lower, mask.arity()) + outwards;
   const bool holds_no_integer = std::floor(result.lower) == std::floor(result.upper) &&
                                 std::floor(result.lower) < result.lower;
-  if (result.jsr.bounded && (holds_no_integer || result.jsr.exact))
-    result.attained = Attained::yes;
+  if (result.jsr.bounded && (holds_no_integer || result.jsr.exact)) result.attained = Attained::yes;
   return result;
 }
 

@@ -14,7 +14,9 @@ constexpr int weight_bits = 60;
 constexpr double explosion = 1e6;
 constexpr double small_start = 1.0 / 64;
 
-double on_grid(double value) { return std::ldexp(std::nearbyint(std::ldexp(value, vertex_bits)), -vertex_bits); }
+double on_grid(double value) {
+  return std::ldexp(std::nearbyint(std::ldexp(value, vertex_bits)), -vertex_bits);
+}
 
 Integer scaled_integer(double value, int bits) {
   return Integer(std::nearbyint(std::ldexp(value, bits)));
@@ -94,8 +96,7 @@ InvariantPolytope::InvariantPolytope(const LocalMatrices& local, double radius,
   span_the_space();
 }
 
-void InvariantPolytope::add_start(const std::vector<double>& vector,
-                                  std::vector<Rational> exact) {
+void InvariantPolytope::add_start(const std::vector<double>& vector, std::vector<Rational> exact) {
   starts_.push_back(vector);
   start_origins_.push_back({-1, -1, std::move(exact)});
 }
@@ -304,8 +305,7 @@ bool InvariantPolytope::exactly_invariant() {
   const int n = local_->size;
   for (int k = 0; k < norm_.count(); ++k)
     for (std::size_t digit = 0; digit < scaled_.size(); ++digit) {
-      const auto target =
-          times(local_->matrices[digit], (*vertices)[static_cast<std::size_t>(k)]);
+      const auto target = times(local_->matrices[digit], (*vertices)[static_cast<std::size_t>(k)]);
       const auto basis = norm_.combine(image(k, digit), 0).points;
       Matrix<Rational> columns(n, n);
       for (int i = 0; i < n; ++i)

@@ -35,8 +35,8 @@ class InvariantPolytope {
   [[nodiscard]] std::optional<Rational> verified_bound();
 
   /// Whether D_i P lies inside exact_radius P exactly, with all vertices recomputed as exact
-  /// rationals. Then JSR = exact_radius (with the word's eigenvalue from below), and all products of
-  /// length L are bounded by a constant times exact_radius^L. Needs an exact radius.
+  /// rationals. Then JSR = exact_radius (with the word's eigenvalue from below), and all products
+  /// of length L are bounded by a constant times exact_radius^L. Needs an exact radius.
   [[nodiscard]] bool exactly_invariant();
 
  private:

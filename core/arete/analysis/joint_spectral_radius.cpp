@@ -12,7 +12,7 @@
 namespace arete {
 namespace {
 
-constexpr int largest_exact_word = 64;  // no words for larger matrices: exact tests take too long
+constexpr int largest_exact_word = 40;  // no words for larger matrices: exact tests take too long
 
 // The rational of smallest denominator in [lowest, highest], 0 < lowest <= highest (Stern, Brocot).
 Rational simplest_between(const Rational& lowest, const Rational& highest) {
@@ -82,7 +82,8 @@ bool has_eigenvalue(const std::vector<Rational>& characteristic, const Rational&
 // The exact averaged spectral radius of the word, if it is a rational of moderate size.
 std::optional<Rational> rational_radius(const LocalMatrices& local, const Word& word,
                                         double value) {
-  const Rational nice = simplest_between(Rational(value * (1 - 1e-11)), Rational(value * (1 + 1e-11)));
+  const Rational nice =
+      simplest_between(Rational(value * (1 - 1e-11)), Rational(value * (1 + 1e-11)));
   if (boost::multiprecision::denominator(nice) > 50'000'000) return std::nullopt;
   const auto characteristic = characteristic_polynomial(word_product(local, word));
   if (!has_eigenvalue(characteristic, power(nice, static_cast<unsigned>(word.size()))))
@@ -104,9 +105,8 @@ Rational root_below(const Rational& value, int power) {
 // the fewer the larger the matrix, or the exact test would take minutes.
 void prove_lower(JsrBounds& bounds, const LocalMatrices& local, const Word& word, double value) {
   const int length = static_cast<int>(word.size());
-  const std::vector<Rational> characteristic =
-      characteristic_polynomial(word_product(local, word));
-  const double first_slack = local.size <= 24 ? 1e-14 : local.size <= 40 ? 1e-7 : 1e-3;
+  const std::vector<Rational> characteristic = characteristic_polynomial(word_product(local, word));
+  const double first_slack = local.size <= 24 ? 1e-14 : 1e-7;
   for (double slack = first_slack; slack < 1e-1; slack *= 16) {
     const double radius = std::pow(value, length) * (1 - length * slack);
     const int bits = std::min(53, static_cast<int>(2 - std::log2(length * slack)));
@@ -153,13 +153,13 @@ Candidates find_words(JsrBounds& bounds, const LocalMatrices& local,
 
 // The exact test of a word takes about n^4 length^2 units of time.
 int longest_word(int size, const JsrOptions& options) {
-  return std::min(options.max_word_length, size <= 24 ? 24 : size <= 36 ? 4 : 1);
+  return std::min(options.max_word_length, size <= 24 ? 24 : size <= 32 ? 4 : 1);
 }
 
 // True once the bounds have met.
 bool bound_by_polytope(JsrBounds& bounds, const LocalMatrices& local, const Candidates& candidates,
                        double tolerance, int max_vertices) {
-  if (candidates.exact) {
+  if (candidates.exact && tolerance < 1e-9) {
     InvariantPolytope polytope(local, candidates.found.value, candidates.exact,
                                candidates.found.words);
     if (polytope.grow(1e-11, max_vertices) && polytope.exactly_invariant()) {
@@ -176,6 +176,17 @@ bool bound_by_polytope(JsrBounds& bounds, const LocalMatrices& local, const Cand
   return bounds.closed();
 }
 
+// Where no polytope closes tightly, loose ones do: tighter and tighter until one does not.
+void narrow_by_polytopes(JsrBounds& bounds, const LocalMatrices& local,
+                         const Candidates& candidates, int max_vertices) {
+  for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-6}) {
+    if (bounds.upper <= bounds.lower * (1 + Rational(tolerance))) continue;
+    const Rational before = bounds.upper;
+    bound_by_polytope(bounds, local, candidates, tolerance, max_vertices);
+    if (bounds.upper == before) return;
+  }
+}
+
 }  // namespace
 
 JsrBounds joint_spectral_radius(int arity, const LaurentPolynomial<Rational>& q,
@@ -187,8 +198,9 @@ JsrBounds joint_spectral_radius(int arity, const LaurentPolynomial<Rational>& q,
   // The q(1)^L of a unit impulse spreads over O(m^L) samples, so JSR >= |q(1)|/m.
   bounds.lower = abs(q.sum()) / arity;
 
-  const auto matrices =
-      local.size <= largest_exact_word ? rounded(local) : std::optional<std::vector<Matrix<double>>>();
+  const auto matrices = local.size <= largest_exact_word
+                            ? rounded(local)
+                            : std::optional<std::vector<Matrix<double>>>();
   if (matrices) {
     const double work = std::pow(local.size, 3) * arity * options.max_word_length;
     const int beam = std::clamp(static_cast<int>(4e7 / work), 8, options.beam);
@@ -208,10 +220,7 @@ JsrBounds joint_spectral_radius(int arity, const LaurentPolynomial<Rational>& q,
           met = bound_by_polytope(bounds, local, candidates, 1e-10, options.max_vertices);
         }
       }
-      for (const double tolerance : {1e-7, 1e-5, 1e-3, 1e-2, 1e-1})
-        if (!met && bounds.upper > bounds.lower * (1 + Rational(tolerance)))
-          met = bound_by_polytope(bounds, local, candidates, tolerance, options.max_vertices) ||
-                bounds.proof == UpperProof::polytope;
+      if (!met) narrow_by_polytopes(bounds, local, candidates, options.max_vertices);
     }
   }
   if (bounds.lower == bounds.upper && !bounds.exact) bounds.exact = bounds.lower;

@@ -13,7 +13,7 @@ struct JsrOptions {
   int max_word_length = 24;
   int beam = 150;          ///< products kept per length in the search for a word
   int max_vertices = 700;  ///< of a polytope
-  int max_dimension = 64;  ///< of the matrices, for polytopes (words: 64)
+  int max_dimension = 40;  ///< of the matrices; beyond it there are only norms, no words
   std::int64_t norm_budget = 2'000'000;  ///< for the exact norms of powers
 };
 
@@ -26,11 +26,11 @@ enum class UpperProof { norm, polytope, exact_polytope };
 struct JsrBounds {
   Rational lower;
   Rational upper;
-  Word word;                ///< of the lower bound; 0 <= digits < arity
+  Word word;                      ///< of the lower bound; 0 <= digits < arity
   std::optional<Rational> exact;  ///< the JSR itself, where it is a rational and proved equal
   UpperProof proof = UpperProof::norm;
-  int power = 0;            ///< of the norm, for UpperProof::norm
-  int vertices = 0;         ///< of the polytope, otherwise
+  int power = 0;     ///< of the norm, for UpperProof::norm
+  int vertices = 0;  ///< of the polytope, otherwise
   /// All products of length L are bounded by a constant times JSR^L: proved (true) or not decided.
   bool bounded = false;
 

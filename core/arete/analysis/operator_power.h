@@ -26,7 +26,8 @@ class OperatorPower {
   /// Goes on to the next power.
   void advance();
 
-  /// || S_q^power ||_inf: max over residues r mod m^power of the sum of |coefficients| at r + m^power j.
+  /// || S_q^power ||_inf: max over residues r mod m^power of the sum of |coefficients| at r +
+  /// m^power j.
   [[nodiscard]] Rational norm() const { return norm_of_differences(0); }
 
   /// The same for (1 - z)^order times the symbol of S_q^power: how large the undivided differences
@@ -36,11 +37,11 @@ class OperatorPower {
  private:
   int arity_;
   int power_ = 1;
-  std::int64_t dilation_;            // m^power
-  std::vector<Integer> factor_;      // q times denominator_
+  std::int64_t dilation_;        // m^power
+  std::vector<Integer> factor_;  // q times denominator_
   Integer denominator_;
-  std::vector<Integer> product_;     // symbol of S_q^power times scale_
-  Integer scale_;                    // denominator_^power
+  std::vector<Integer> product_;  // symbol of S_q^power times scale_
+  Integer scale_;                 // denominator_^power
 };
 
 }  // namespace arete

@@ -26,8 +26,8 @@ std::pair<Rational, Rational> edge(const std::function<bool(const Rational&)>& h
 
 }  // namespace
 
-std::optional<ParameterInterval> interval_where(
-    const std::function<bool(const Rational&)>& holds, const IntervalSearch& search) {
+std::optional<ParameterInterval> interval_where(const std::function<bool(const Rational&)>& holds,
+                                                const IntervalSearch& search) {
   if (!holds(search.start)) return std::nullopt;
   const auto [lower, below] = edge(holds, search, -1);
   const auto [upper, above] = edge(holds, search, 1);

@@ -12,16 +12,16 @@ namespace arete {
 /// fails on either side (or `reach` is left), then bisects to `tolerance`. Each end is given as the
 /// last value where it held and the first where it failed; gaps shorter than a step are not seen.
 struct ParameterInterval {
-  Rational lower;          ///< holds here
-  Rational upper;          ///< holds here
-  Rational fails_below;    ///< within tolerance below lower; = lower if it never failed in reach
-  Rational fails_above;    ///< within tolerance above upper; = upper if it never failed in reach
+  Rational lower;        ///< holds here
+  Rational upper;        ///< holds here
+  Rational fails_below;  ///< within tolerance below lower; = lower if it never failed in reach
+  Rational fails_above;  ///< within tolerance above upper; = upper if it never failed in reach
 };
 
 struct IntervalSearch {
   Rational start;
   Rational step;
-  Rational reach;      ///< how far from the start to walk
+  Rational reach;  ///< how far from the start to walk
   Rational tolerance;
 };
 

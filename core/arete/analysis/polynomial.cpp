@@ -46,8 +46,7 @@ bool is_interpolatory(const Mask& mask) {
 
 Rational step_norm(const Mask& mask) {
   std::vector<Rational> sums(static_cast<std::size_t>(mask.arity()), Rational(0));
-  for (int k = mask.first(); k <= mask.last(); ++k)
-    sums[phase_of(k, mask.arity())] += abs(mask[k]);
+  for (int k = mask.first(); k <= mask.last(); ++k) sums[phase_of(k, mask.arity())] += abs(mask[k]);
   return *std::max_element(sums.begin(), sums.end());
 }
 

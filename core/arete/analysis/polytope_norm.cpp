@@ -52,8 +52,7 @@ bool PolytopeNorm::invert_basis() {
   return true;
 }
 
-PolytopeNorm::Combination PolytopeNorm::combine(const std::vector<double>& x,
-                                                double good_enough) {
+PolytopeNorm::Combination PolytopeNorm::combine(const std::vector<double>& x, double good_enough) {
   const auto n = static_cast<std::size_t>(dimension_);
   if (basis_.empty()) {
     basis_.resize(n);
@@ -78,7 +77,8 @@ PolytopeNorm::Combination PolytopeNorm::combine(const std::vector<double>& x,
   std::vector<double> moved = x;
   for (std::size_t i = 0; i < n; ++i) {
     signs[i] = std::copysign(1.0, weights[i]);
-    const double shift = signs[i] * perturbation * (1 + norm) * (1 + 0.618 * static_cast<double>(i));
+    const double shift =
+        signs[i] * perturbation * (1 + norm) * (1 + 0.618 * static_cast<double>(i));
     for (std::size_t j = 0; j < n; ++j) moved[j] += shift * point(basis_[i])[j];
   }
   const int most_pivots = 60 * dimension_ + 200;
@@ -100,7 +100,7 @@ PolytopeNorm::Combination PolytopeNorm::combine(const std::vector<double>& x,
         sign = std::copysign(1.0, product);
       }
     }
-    if (entering < 0) break;                                    // optimal
+    if (entering < 0) break;                                   // optimal
     if (good_enough > 0 && norm / slope > good_enough) break;  // dual bound
 
     apply_inverse(point(entering), direction);

@@ -28,13 +28,14 @@ class PolytopeNorm {
 
   /// A combination of at most n points that gives x.
   struct Combination {
-    double norm = 0;             ///< sum of |weights|: at least ||x||, equal to it when optimal
-    std::vector<int> points;     ///< the basis
+    double norm = 0;          ///< sum of |weights|: at least ||x||, equal to it when optimal
+    std::vector<int> points;  ///< the basis
     std::vector<double> weights;
   };
 
   /// Stops as soon as a combination with norm <= good_enough is found, or the norm is proved (up to
-  /// rounding) to be above it; with good_enough = 0 the norm itself is computed. Needs count() >= n.
+  /// rounding) to be above it; with good_enough = 0 the norm itself is computed. Needs count() >=
+  /// n.
   [[nodiscard]] Combination combine(const std::vector<double>& x, double good_enough);
 
  private:

@@ -7,7 +7,7 @@
 namespace arete {
 namespace {
 
-constexpr int largest_tested = 64;  // dimension of matrices whose words are tested exactly
+constexpr int largest_tested = 40;  // dimension of matrices whose words are tested exactly
 
 // m^order rho(word)^{1/length} for people, in floating point.
 double word_value(const HoelderBounds& hoelder, int arity, int order) {

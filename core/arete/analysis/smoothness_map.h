@@ -11,11 +11,11 @@ namespace arete {
 
 /// What is known at one point of a parameter plane.
 struct MapCell {
-  bool valid = false;      ///< there is a scheme for these parameters
-  int certified = -1;      ///< largest certified order, -1: none
+  bool valid = false;         ///< there is a scheme for these parameters
+  int certified = -1;         ///< largest certified order, -1: none
   bool refuted_next = false;  ///< the order above it is refuted; otherwise it is undecided
-  bool stable = true;      ///< shifts proved stable
-  double hoelder_lower = 0;  ///< proved lower bound of the exponent (<= 0: none)
+  bool stable = true;         ///< shifts proved stable
+  double hoelder_lower = 0;   ///< proved lower bound of the exponent (<= 0: none)
 };
 
 /// Options cheap enough for ten thousands of points: norms to power 4, short words, no polytopes.

@@ -8,10 +8,12 @@ namespace arete {
 
 const std::array<TernaryInterval, 3>& ternary_intervals() {
   static const std::array<TernaryInterval, 3> intervals = {{
-      {0, parse_rational("-10.2816"), parse_rational("10.372"), {-3357, -162, 16},
-       {-4293, 82, 32}},
+      {0, parse_rational("-10.2816"), parse_rational("10.372"), {-3357, -162, 16}, {-4293, 82, 32}},
       {1, parse_rational("-2.34233"), parse_rational("2.7915"), {-18, -3, 2}, {-87, 20, 4}},
-      {2, parse_rational("-0.469119"), parse_rational("0.483101"), {-1233, -2208, 896},
+      {2,
+       parse_rational("-0.469119"),
+       parse_rational("0.483101"),
+       {-1233, -2208, 896},
        {-333, 612, 160}},
   }};
   return intervals;

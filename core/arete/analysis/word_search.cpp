@@ -74,8 +74,8 @@ void try_pairs(WordCandidates& best, std::vector<Rated> near,
           auto product = Matrix<double>::identity(matrices.front().rows());
           for (const int digit : word)
             product = matrices[static_cast<std::size_t>(digit)] * product;
-          const double value = std::pow(approximate_spectral_radius(product),
-                                        1.0 / static_cast<double>(length));
+          const double value =
+              std::pow(approximate_spectral_radius(product), 1.0 / static_cast<double>(length));
           improved = improved || value > best.value * (1 + tie);
           keep(best, value, word);
           keep_near(near, value, word);
@@ -86,8 +86,7 @@ void try_pairs(WordCandidates& best, std::vector<Rated> near,
 
 }  // namespace
 
-WordCandidates search_words(const std::vector<Matrix<double>>& matrices, int max_length,
-                            int beam) {
+WordCandidates search_words(const std::vector<Matrix<double>>& matrices, int max_length, int beam) {
   WordCandidates best;
   std::vector<Rated> near;
   std::vector<Node> level = {{{}, Matrix<double>::identity(matrices.front().rows()), 1}};

@@ -10,6 +10,14 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+[[noreturn]] void throw_same_direction(int face, int other, int from, int to) {
+  throw NotAGrid::at_face(
+      face, "and face " + std::to_string(other) + " both run from vertex " + std::to_string(from) +
+                " to vertex " + std::to_string(to) +
+                ": one is a duplicate, or flipped, or the edge has more than two faces; remove "
+                "duplicate faces and orient the others coherently");
+}
+
 }  // namespace
 
 HalfEdges::HalfEdges(const FaceList& faces, int vertex_count)
@@ -46,34 +54,32 @@ void HalfEdges::count_valences() {
 }
 
 void HalfEdges::find_twins() {
-  // Half-edges sorted by the vertex they leave.
+  // Half-edges sorted by the vertex they leave, filled one after the other: a twin that is already
+  // there is found among the at most eight of the other end.
+  struct Leaving {
+    int to;
+    int half_edge;
+  };
   std::vector<int> first(at(vertex_count_) + 1, 0);
   for (int v = 0; v < vertex_count_; ++v) first[at(v) + 1] = first[at(v)] + valences_[at(v)];
   std::vector<int> fill(first.begin(), first.end() - 1);
-  std::vector<int> leaving(faces_.corners.size());
-  const int half_edges = static_cast<int>(leaving.size());
-  for (int h = 0; h < half_edges; ++h) leaving[at(fill[at(from(h))]++)] = h;
+  std::vector<Leaving> leaving(faces_.corners.size());
 
   twins_.assign(leaving.size(), -1);
-  for (int h = 0; h < half_edges; ++h) {
-    const int a = from(h);
-    const int b = to(h);
-    for (int i = first[at(a)]; i < first[at(a) + 1]; ++i) {
-      const int other = leaving[at(i)];
-      if (other < h && to(other) == b)
-        throw NotAGrid::at_face(
-            face(h), "and face " + std::to_string(face(other)) + " both run from vertex " +
-                         std::to_string(a) + " to vertex " + std::to_string(b) +
-                         ": one is a duplicate, or flipped, or the edge has more than two faces; "
-                         "remove duplicate faces and orient the others coherently");
-    }
-    if (twins_[at(h)] >= 0) continue;
-    for (int i = first[at(b)]; i < first[at(b) + 1]; ++i) {
-      const int other = leaving[at(i)];
-      if (to(other) != a) continue;
-      twins_[at(h)] = other;
-      twins_[at(other)] = h;
-      break;
+  for (int f = 0; f < faces_.count(); ++f) {
+    const int begin = faces_.starts[at(f)];
+    const int end = faces_.starts[at(f) + 1];
+    for (int h = begin; h < end; ++h) {
+      const int a = faces_.corners[at(h)];
+      const int b = faces_.corners[at(h + 1 < end ? h + 1 : begin)];
+      for (int i = first[at(a)]; i < fill[at(a)]; ++i)
+        if (leaving[at(i)].to == b) throw_same_direction(f, face(leaving[at(i)].half_edge), a, b);
+      leaving[at(fill[at(a)]++)] = {b, h};
+      for (int i = first[at(b)]; i < fill[at(b)]; ++i) {
+        if (leaving[at(i)].to != a) continue;
+        twins_[at(h)] = leaving[at(i)].half_edge;
+        twins_[at(leaving[at(i)].half_edge)] = h;
+      }
     }
   }
 }

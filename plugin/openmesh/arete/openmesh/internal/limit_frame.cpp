@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "arete/openmesh/internal/limit_frame.h"
+
+#include <cmath>
+
+#include "arete/analysis/limit_stencil.h"
+
+namespace arete::openmesh::detail {
+namespace {
+
+AxisPlan with_stencil(const RefinedAxis& axis, const Scheme& scheme, int levels,
+                      const Stencil& stencil) {
+  AxisOptions options;
+  options.levels = levels;
+  options.boundary = axis.plan.boundary();
+  options.final_stencil = stencil;
+  return {scheme.mask(), axis.coarse(), options};
+}
+
+bool same_samples(const AxisPlan& a, const AxisPlan& b) {
+  return a.output_count() == b.output_count() && a.first_position() == b.first_position();
+}
+
+}  // namespace
+
+std::optional<LimitStencils> limit_stencils(const Scheme& scheme) {
+  if (scheme.mask().tau() != 0) return std::nullopt;
+  auto limit = limit_stencil(scheme.mask());
+  auto derivative = derivative_stencil(scheme.mask());
+  if (!limit || !derivative) return std::nullopt;
+  return LimitStencils{std::move(*limit), std::move(*derivative)};
+}
+
+bool limit_normals(const RefinedPatch& patch, const RebuildOptions& options,
+                   const LimitStencils& along_rows, const LimitStencils& along_cols,
+                   std::array<const Grid<double>*, 3> planes, int threads,
+                   const std::function<void(Index, Index, const std::array<double, 3>&)>& sink) {
+  const auto x_plan = [&](const Stencil& stencil) {
+    return with_stencil(patch.cols, options.along_rows, options.levels, stencil);
+  };
+  const auto y_plan = [&](const Stencil& stencil) {
+    return with_stencil(patch.rows, options.along_cols, options.levels, stencil);
+  };
+  const Refiner<double> east(x_plan(along_rows.derivative), y_plan(along_cols.limit), threads);
+  const Refiner<double> south(x_plan(along_rows.limit), y_plan(along_cols.derivative), threads);
+  for (const Refiner<double>* refiner : {&east, &south})
+    if (!same_samples(refiner->x(), patch.cols.plan) ||
+        !same_samples(refiner->y(), patch.rows.plan))
+      return false;
+
+  const std::array<const Refiner<double>*, 6> refiners{&east, &east, &east, &south, &south, &south};
+  const std::array<const Grid<double>*, 6> sources{planes[0], planes[1], planes[2],
+                                                   planes[0], planes[1], planes[2]};
+  const double side = patch.coarse.mirrored ? -1 : 1;
+  refine_in_bands<double>(refiners, sources, [&](Index r, std::span<const double* const> d) {
+    for (Index c = 0; c < patch.cols.fine(); ++c) {
+      std::array<double, 3> n{d[1][c] * d[5][c] - d[2][c] * d[4][c],
+                              d[2][c] * d[3][c] - d[0][c] * d[5][c],
+                              d[0][c] * d[4][c] - d[1][c] * d[3][c]};
+      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      for (double& x : n) x = length > 0 ? side * x / length : 0;
+      sink(r, c, n);
+    }
+  });
+  return true;
+}
+
+}  // namespace arete::openmesh::detail
