@@ -187,6 +187,17 @@ TEST(JointSpectralRadius, IsHomogeneousAndMultiplicative) {
   EXPECT_EQ(*squared.exact, *one.exact * *one.exact);
 }
 
+// Degenerate operators: nilpotent ones have the JSR 0, single coefficients themselves.
+TEST(JointSpectralRadius, OfDegenerateOperators) {
+  using Laurent = LaurentPolynomial<Rational>;
+  const JsrBounds single = joint_spectral_radius(3, Laurent(7, {Rational(-2) / 3}));
+  EXPECT_EQ(single.exact, Rational(2) / 3);
+  const JsrBounds difference = joint_spectral_radius(2, Laurent(0, {1, -1}));
+  EXPECT_EQ(difference.exact, 1);  // ||S|| = 1 and single entries stay
+  const JsrBounds wide = joint_spectral_radius(64, Laurent(0, {1, 0, Rational(1) / 2}));
+  EXPECT_EQ(wide.exact, 1);
+}
+
 // JSR(q) = max(|q(1)|/m, JSR(q/(1 + ... + z^{m-1}))).
 TEST(JointSpectralRadius, SplitsAlongSmoothingFactors) {
   for (const char* name : {"craggy", "ternary-two-step", "de-rham"}) {

@@ -82,8 +82,8 @@ HoelderBounds hoelder_bounds(const Mask& mask, const JsrOptions& options) {
     if (const auto n = integer_exponent(*result.jsr.exact, mask.arity())) {
       result.lower = result.upper = *n;
       result.attained = attained_integer(mask, parts, *n, result.jsr.word);
-      if (result.attained == Attained::no && result.stability != Stability::stable)
-        result.attained = Attained::unknown;
+      const bool unsure = result.attained == Attained::no && result.stability != Stability::stable;
+      if (unsure || *n <= 0) result.attained = Attained::unknown;
       return result;
     }
   }
@@ -91,7 +91,8 @@ HoelderBounds hoelder_bounds(const Mask& mask, const JsrOptions& options) {
   result.upper = negative_log(result.jsr.lower, mask.arity()) + outwards;
   const bool holds_no_integer = std::floor(result.lower) == std::floor(result.upper) &&
                                 std::floor(result.lower) < result.lower;
-  if (result.jsr.bounded && (holds_no_integer || result.jsr.exact)) result.attained = Attained::yes;
+  if (result.lower > 0 && result.jsr.bounded && (holds_no_integer || result.jsr.exact))
+    result.attained = Attained::yes;
   return result;
 }
 

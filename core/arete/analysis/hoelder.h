@@ -15,7 +15,7 @@ enum class Attained { yes, no, unknown };
 /// derivative is Hoelder with every exponent below alpha - k (with alpha - k itself iff attained).
 ///
 /// lower is always true of the limits. upper is a bound of the exponent only if the integer shifts
-/// are stable (else the limits may be smoother). alpha <= 0: not shown to converge. Both ends come
+/// are stable (else the limits may be smoother). lower <= 0: not shown to converge. Both ends come
 /// from exact bounds of the JSR; the logarithm is rounded outwards (by 1e-13), except that an
 /// exponent proved to be an integer is that integer.
 struct HoelderBounds {

@@ -256,7 +256,9 @@ std::optional<Rational> InvariantPolytope::verified_bound() {
     std::vector<Integer> target(static_cast<std::size_t>(n), Integer(0));
     e[static_cast<std::size_t>(j)] = 1;
     target[static_cast<std::size_t>(j)] = vertex_scale;
-    const Measure m = measure(target, 1, norm_.combine(e, 0));
+    const auto combination = norm_.combine(e, 0);
+    if (!std::isfinite(combination.norm)) return std::nullopt;
+    const Measure m = measure(target, 1, combination);
     most_weights = std::max(most_weights, m.weights);
     total_miss += m.miss;
   }
@@ -276,7 +278,9 @@ std::optional<Rational> InvariantPolytope::verified_bound() {
               boost::multiprecision::numerator(matrix(i, j)) *
               (denominator / boost::multiprecision::denominator(matrix(i, j))) *
               points[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)];
-      const Measure m = measure(target, denominator, norm_.combine(next, 0));
+      const auto combination = norm_.combine(next, 0);
+      if (!std::isfinite(combination.norm)) return std::nullopt;
+      const Measure m = measure(target, denominator, combination);
       bound = std::max(bound, Rational(m.weights + m.miss * unit));
     }
   return bound;

@@ -34,6 +34,7 @@ struct Rated {
 
 // The near-best words met so far, best first, rotations merged.
 void keep_near(std::vector<Rated>& near, double value, const Word& word) {
+  if (!(value > 0) || value >= 1e300) return;
   if (!near.empty() && value < near.front().value * (1 - near_best)) return;
   if (near.size() == most_near && value <= near.back().value) return;
   Word turned = smallest_rotation(word);
@@ -46,7 +47,7 @@ void keep_near(std::vector<Rated>& near, double value, const Word& word) {
 }
 
 void keep(WordCandidates& best, double value, const Word& word) {
-  if (value < best.value * (1 - tie)) return;
+  if (!(value > 0) || value < best.value * (1 - tie)) return;
   if (value > best.value * (1 + tie)) best.words.clear();
   best.value = std::max(best.value, value);
   Word turned = smallest_rotation(word);

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "arete/reverse/mesh_reverse.h"
+
+#include <numeric>
+#include <queue>
+
+#include "arete/reverse/envelope_ldlt.h"
+
+namespace arete {
+namespace {
+
+template <class R>
+void add_row(Grid<R>& to, Index row, GridView<const R> from, Index from_row, const R& weight) {
+  add_line(to.row(row), from.row(from_row), weight, to.cols());
+}
+
+template <class R>
+class LocalMeshReverse {
+ public:
+  LocalMeshReverse(const MeshFaces& coarse, MeshScheme scheme, GridView<const R> fine)
+      : faces_(coarse),
+        mesh_(coarse),
+        scheme_(scheme),
+        fine_(fine),
+        result_({coarse.vertices, fine.cols()}),
+        first_face_(coarse.vertices),
+        first_edge_(coarse.vertices + (scheme == MeshScheme::catmull_clark
+                                           ? static_cast<Index>(coarse.faces.size())
+                                           : 0)) {}
+
+  // Nothing if some vertices cannot be reached by the formulas.
+  std::optional<Grid<R>> run() {
+    if (scheme_ == MeshScheme::doo_sabin) return doo_sabin();
+    std::vector<std::uint8_t> known(static_cast<std::size_t>(faces_.vertices), 0);
+    for (Index v = 0; v < faces_.vertices; ++v) {
+      const auto n = static_cast<Index>(mesh_.vertex_edges(v).size());
+      if (mesh_.on_boundary(v)) {
+        boundary_vertex(v);
+      } else if (scheme_ == MeshScheme::loop) {
+        inner_vertex(v, loop_reverse<R>(n, loop_beta<R>(n)));
+      } else if (n != 3) {
+        inner_vertex(v, catmull_clark_reverse<R>(n));
+      } else {
+        continue;
+      }
+      known[static_cast<std::size_t>(v)] = 1;
+    }
+    return propagate(known) ? std::optional(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  void inner_vertex(Index v, const VertexReverse<R>& weights) {
+    add_row(result_, v, fine_, v, weights.vertex);
+    for (const Index e : mesh_.vertex_edges(v))
+      add_row(result_, v, fine_, first_edge_ + e, weights.edge);
+    if (weights.face == R(0)) return;
+    for (const Index f : mesh_.vertex_faces(v))
+      add_row(result_, v, fine_, first_face_ + f, weights.face);
+  }
+
+  void boundary_vertex(Index v) {
+    add_row(result_, v, fine_, v, R(2));
+    for (const Index e : mesh_.vertex_edges(v))
+      if (mesh_.boundary_edge(e)) add_row(result_, v, fine_, first_edge_ + e, R(-1) / R(2));
+  }
+
+  // Sweeps in ascending order; within one a vertex already found serves the next.
+  bool propagate(std::vector<std::uint8_t>& known) {
+    for (;;) {
+      bool found = false;
+      bool left = false;
+      for (Index v = 0; v < faces_.vertices; ++v) {
+        if (known[static_cast<std::size_t>(v)] != 0) continue;
+        left = true;
+        for (const Index e : mesh_.vertex_edges(v)) {
+          const Index neighbour = mesh_.other_end(e, v);
+          if (known[static_cast<std::size_t>(neighbour)] == 0) continue;
+          add_row(result_, v, fine_, first_edge_ + e, R(4));
+          add_row(result_, v, std::as_const(result_).view(), neighbour, R(-1));
+          for (const Index f : mesh_.edge_faces(e))
+            add_row(result_, v, fine_, first_face_ + f, R(-1));
+          known[static_cast<std::size_t>(v)] = 1;
+          found = true;
+          break;
+        }
+      }
+      if (!left) return true;
+      if (!found) return false;
+    }
+  }
+
+  Grid<R> doo_sabin() {
+    Index first = 0;
+    for (const auto& face : faces_.faces) {
+      const auto n = static_cast<Index>(face.size());
+      for (Index i = 0; i < n; ++i) {
+        const Index v = face[static_cast<std::size_t>(i)];
+        const R share = R(1) / R(static_cast<int>(mesh_.vertex_faces(v).size()));
+        for (Index j = 0; j < n; ++j)
+          add_row(result_, v, fine_, first + j, doo_sabin_inverse<R>(i - j, n) * share);
+      }
+      first += n;
+    }
+    return std::move(result_);
+  }
+
+  const MeshFaces& faces_;
+  MeshNeighbours mesh_;
+  MeshScheme scheme_;
+  GridView<const R> fine_;
+  Grid<R> result_;
+  Index first_face_;
+  Index first_edge_;
+};
+
+// Columns ordered so that those that share a row lie near each other (Cuthill and McKee 1969):
+// breadth first, from a far vertex, few neighbours first.
+template <class R>
+std::vector<Index> near_order(const SparseRows<R>& s) {
+  const auto n = static_cast<std::size_t>(s.cols());
+  std::vector<std::vector<Index>> beside(n);
+  for (Index i = 0; i < s.rows(); ++i) {
+    const auto row = s.row(i);
+    for (const auto& a : row)
+      for (const auto& b : row)
+        if (a.col != b.col) beside[static_cast<std::size_t>(a.col)].push_back(b.col);
+  }
+  for (auto& list : beside) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  const auto few_first = [&](Index a, Index b) {
+    return beside[static_cast<std::size_t>(a)].size() < beside[static_cast<std::size_t>(b)].size();
+  };
+  for (auto& list : beside) std::stable_sort(list.begin(), list.end(), few_first);
+  std::vector<std::uint8_t> done(n, 0);
+  const auto breadth_first = [&](Index start, std::vector<std::uint8_t>& seen) {
+    std::vector<Index> order{start};
+    seen[static_cast<std::size_t>(start)] = 1;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (const Index next : beside[static_cast<std::size_t>(order[i])])
+        if (seen[static_cast<std::size_t>(next)] == 0) {
+          seen[static_cast<std::size_t>(next)] = 1;
+          order.push_back(next);
+        }
+    return order;
+  };
+  std::vector<Index> order;
+  for (Index v = 0; v < s.cols(); ++v) {
+    if (done[static_cast<std::size_t>(v)] != 0) continue;
+    std::vector<std::uint8_t> trial = done;
+    const Index far = breadth_first(v, trial).back();
+    const auto part = breadth_first(far, done);
+    order.insert(order.end(), part.begin(), part.end());
+  }
+  return order;
+}
+
+// Of a pattern that no fine point shows: one vertex is held at 0, then the part along the pattern
+// is taken out, which leaves the solution of least norm.
+template <class R>
+Grid<R> least_squares(const SparseRows<R>& s, GridView<const R> fine,
+                      const std::vector<std::vector<int>>& patterns) {
+  std::vector<std::uint8_t> held(static_cast<std::size_t>(s.cols()), 0);
+  for (const auto& pattern : patterns)
+    held[static_cast<std::size_t>(
+        std::find_if(pattern.begin(), pattern.end(), [](int sign) { return sign != 0; }) -
+        pattern.begin())] = 1;
+  std::vector<Index> place(static_cast<std::size_t>(s.cols()), -1);
+  std::vector<Index> order;
+  for (const Index v : near_order(s)) {
+    if (held[static_cast<std::size_t>(v)] != 0) continue;
+    place[static_cast<std::size_t>(v)] = static_cast<Index>(order.size());
+    order.push_back(v);
+  }
+  SparseRows<R> reduced(static_cast<Index>(order.size()));
+  for (Index i = 0; i < s.rows(); ++i) {
+    typename SparseRows<R>::Row row;
+    for (const auto& entry : s.row(i))
+      if (place[static_cast<std::size_t>(entry.col)] >= 0)
+        row.push_back({place[static_cast<std::size_t>(entry.col)], entry.weight});
+    reduced.push_row(std::move(row));
+  }
+  const EnvelopeLdlt<R> solver(reduced);
+  if (solver.dependent_column())
+    throw InvalidField(
+        "the fine points do not determine the coarse vertices; the mesh has no "
+        "reverse");
+  LineBuffer<R> solution(reduced.cols(), fine.cols());
+  reduced.multiply_transposed({fine.row(0), fine.rows(), fine.cols(), fine.stride()},
+                              solution.lines());
+  solver.solve(solution.lines());
+  Grid<R> result({s.cols(), fine.cols()});
+  for (std::size_t i = 0; i < order.size(); ++i)
+    std::copy_n(solution.lines()[static_cast<Index>(i)], fine.cols(), result.row(order[i]));
+  for (const auto& pattern : patterns) {
+    const auto length = static_cast<Index>(
+        std::count_if(pattern.begin(), pattern.end(), [](int sign) { return sign != 0; }));
+    for (Index c = 0; c < result.cols(); ++c) {
+      R along(0);
+      for (Index v = 0; v < result.rows(); ++v)
+        along = along + R(pattern[static_cast<std::size_t>(v)]) * result(v, c);
+      along = along / R(static_cast<int>(length));
+      for (Index v = 0; v < result.rows(); ++v)
+        result(v, c) = result(v, c) - R(pattern[static_cast<std::size_t>(v)]) * along;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> invisible_patterns(const MeshFaces& coarse, MeshScheme scheme) {
+  std::vector<std::vector<int>> found;
+  if (scheme != MeshScheme::catmull_clark) return found;
+  const MeshNeighbours mesh(coarse);
+  std::vector<int> sign(static_cast<std::size_t>(coarse.vertices), 0);
+  for (Index start = 0; start < coarse.vertices; ++start) {
+    if (sign[static_cast<std::size_t>(start)] != 0) continue;
+    std::vector<Index> part{start};
+    sign[static_cast<std::size_t>(start)] = 1;
+    bool alternating = true;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Index v = part[i];
+      if (mesh.on_boundary(v) || mesh.vertex_edges(v).size() != 3) alternating = false;
+      for (const Index e : mesh.vertex_edges(v)) {
+        const Index neighbour = mesh.other_end(e, v);
+        int& other = sign[static_cast<std::size_t>(neighbour)];
+        if (other == 0) {
+          other = -sign[static_cast<std::size_t>(v)];
+          part.push_back(neighbour);
+        } else if (other == sign[static_cast<std::size_t>(v)]) {
+          alternating = false;
+        }
+      }
+    }
+    if (!alternating) continue;
+    std::vector<int> pattern(sign.size(), 0);
+    for (const Index v : part)
+      pattern[static_cast<std::size_t>(v)] = sign[static_cast<std::size_t>(v)];
+    found.push_back(std::move(pattern));
+  }
+  return found;
+}
+
+template <class R>
+MeshCoarse<R> reverse_mesh_step(const MeshFaces& coarse, MeshScheme scheme, GridView<const R> fine,
+                                ReverseMode mode) {
+  const MeshStep<R> step = mesh_step<R>(coarse, scheme);
+  if (fine.rows() != step.s.rows())
+    throw InvalidField("there are " + std::to_string(fine.rows()) +
+                       " fine points where the mesh "
+                       "refines to " +
+                       std::to_string(step.s.rows()));
+  const auto patterns = invisible_patterns(coarse, scheme);
+  if (mode == ReverseMode::local) {
+    auto found = LocalMeshReverse<R>(coarse, scheme, fine).run();
+    if (found) return {std::move(*found), true};
+  }
+  return {least_squares(step.s, fine, patterns), patterns.empty()};
+}
+
+template MeshCoarse<double> reverse_mesh_step(const MeshFaces&, MeshScheme, GridView<const double>,
+                                              ReverseMode);
+template MeshCoarse<Rational> reverse_mesh_step(const MeshFaces&, MeshScheme,
+                                                GridView<const Rational>, ReverseMode);
+
+}  // namespace arete

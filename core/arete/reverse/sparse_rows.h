@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "arete/reverse/lines.h"
+
+namespace arete {
+
+/// A matrix with few entries in each row, over any ring: a step of subdivision along one axis, a
+/// filter, or its reverse. Rows are made once, in order, and applied to lines.
+template <class R>
+class SparseRows {
+ public:
+  struct Entry {
+    Index col = 0;
+    R weight{};
+  };
+  using Row = std::vector<Entry>;
+
+  /// No rows yet. \pre cols >= 0
+  explicit SparseRows(Index cols) : cols_(cols), start_{0} {}
+
+  /// Adds a row; entries of the same column are added up, zeros left out, columns put in order.
+  /// \pre 0 <= col < cols()
+  void push_row(Row row) {
+    std::stable_sort(row.begin(), row.end(),
+                     [](const Entry& a, const Entry& b) { return a.col < b.col; });
+    for (std::size_t i = 0; i < row.size();) {
+      Entry sum = row[i];
+      for (++i; i < row.size() && row[i].col == sum.col; ++i)
+        sum.weight = sum.weight + row[i].weight;
+      if (sum.weight == R(0)) continue;
+      columns_.push_back(sum.col);
+      weights_.push_back(sum.weight);
+    }
+    most_taps_ = std::max(most_taps_, columns_.size() - start_.back());
+    start_.push_back(columns_.size());
+  }
+
+  [[nodiscard]] Index rows() const { return static_cast<Index>(start_.size()) - 1; }
+  [[nodiscard]] Index cols() const { return cols_; }
+  [[nodiscard]] std::size_t most_taps() const { return most_taps_; }
+
+  [[nodiscard]] Row row(Index i) const {
+    Row entries;
+    for (std::size_t k = begin(i); k < begin(i + 1); ++k)
+      entries.push_back({columns_[k], weights_[k]});
+    return entries;
+  }
+
+  /// The rows `chosen`, in that order.
+  [[nodiscard]] SparseRows selected(const std::vector<Index>& chosen) const {
+    SparseRows result(cols_);
+    for (const Index i : chosen) result.push_row(row(i));
+    return result;
+  }
+
+  /// out = A (x stacked upon y), where x.count + y.count = cols(). `out` must not overlap them.
+  void multiply(Lines<const R> x, Lines<const R> y, Lines<R> out) const {
+    std::vector<const R*> taps(most_taps_);
+    for (Index i = 0; i < rows(); ++i) multiply_row(i, x, y, out[i], taps);
+  }
+  void multiply(Lines<const R> x, Lines<R> out) const { multiply(x, x.part(0, 0), out); }
+
+  /// The lines of row i alone, into `out`.
+  void multiply_row(Index i, Lines<const R> x, R* out) const {
+    std::vector<const R*> taps(most_taps_);
+    multiply_row(i, x, x.part(0, 0), out, taps);
+  }
+
+  /// out = A^T x, x.count = rows(), out.count = cols().
+  void multiply_transposed(Lines<const R> x, Lines<R> out) const {
+    for (Index j = 0; j < cols_; ++j) std::fill_n(out[j], out.lanes, R(0));
+    for (Index i = 0; i < rows(); ++i)
+      for (std::size_t k = begin(i); k < begin(i + 1); ++k)
+        add_line(out[columns_[k]], x[i], weights_[k], out.lanes);
+  }
+
+ private:
+  [[nodiscard]] std::size_t begin(Index i) const { return start_[static_cast<std::size_t>(i)]; }
+
+  void multiply_row(Index i, Lines<const R> x, Lines<const R> y, R* out,
+                    std::vector<const R*>& taps) const {
+    const std::size_t first = begin(i);
+    const std::size_t count = begin(i + 1) - first;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Index col = columns_[first + k];
+      taps[k] = col < x.count ? x[col] : y[col - x.count];
+    }
+    weighted_sum(out, taps.data(), weights_.data() + first, static_cast<int>(count), x.lanes);
+  }
+
+  Index cols_;
+  std::vector<std::size_t> start_;
+  std::vector<Index> columns_;
+  std::vector<R> weights_;
+  std::size_t most_taps_ = 0;
+};
+
+}  // namespace arete
