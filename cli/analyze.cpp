@@ -120,7 +120,9 @@ void print_analysis(const Scheme& scheme, const Smoothness& truth) {
   if (hoelder.stability != Stability::stable) std::cout << " (a lower bound: shifts not stable)";
   if (hoelder.attained == Attained::yes) std::cout << ", attained";
   if (hoelder.attained == Attained::no) std::cout << ", not attained";
-  std::cout << "\n    decided by the word " << to_text(hoelder.jsr.word) << "\nshifts             "
+  if (!hoelder.jsr.word.empty())
+    std::cout << "\n    decided by the word " << to_text(hoelder.jsr.word);
+  std::cout << "\nshifts             "
             << (hoelder.stability == Stability::stable     ? "stable"
                 : hoelder.stability == Stability::unstable ? "not stable"
                                                            : "stability not decided")
