@@ -122,8 +122,8 @@ TEST(mesh_oracle, weights_by_valence) {
     const Index n = record.at("input").at("valence");
     const json& expect = record.at("expect");
     const auto check = [&](const char* key, const Rational& value) {
-      if (expect.contains(key) && !expect.at(key).is_null())
-        EXPECT_EQ(value, test::exact(expect.at(key))) << key << " at valence " << n;
+      if (!expect.contains(key) || expect.at(key).is_null()) return;
+      EXPECT_EQ(value, test::exact(expect.at(key))) << key << " at valence " << n;
     };
     if (n != 3) {
       const auto cc = catmull_clark_reverse<Rational>(n);

@@ -13,13 +13,13 @@ namespace arete {
 /// How a grid is refined; the defaults suit a height field.
 struct RefineOptions {
   int levels = 1;
-  Boundaries boundaries;
+  Boundaries boundaries{};
   Alignment alignment = Alignment::nodes;
   /// 0: as many as the machine has. The result does not depend on it.
   int threads = 1;
   /// Filters after the last level (limit or derivative stencils), along x and along y.
-  std::optional<Stencil> final_x;
-  std::optional<Stencil> final_y;
+  std::optional<Stencil> final_x{};
+  std::optional<Stencil> final_y{};
   FinalResult final_result = FinalResult::samples;
 };
 

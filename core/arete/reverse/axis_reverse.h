@@ -55,6 +55,7 @@ class AxisReverse {
     for (Index k = 1; k <= level_.padding; ++k) {
       const R share = R(static_cast<int>(k)) / R(static_cast<int>(level_.padding + 1));
       R* appended = padded[fine.count + k - 1];
+      std::fill_n(appended, fine.lanes, R(0));
       add_line(appended, fine[fine.count - 1], R(1) - share, fine.lanes);
       add_line(appended, fine[0], share, fine.lanes);
     }

@@ -8,16 +8,18 @@
 namespace arete {
 namespace {
 
-// Lanes worked on at a time: enough to fill vector registers, few enough to stay in cache.
-constexpr Index lanes_at_a_time = 64;
+// Lanes worked on at a time: enough to fill vector registers, few enough to stay in cache. Columns
+// are taken in wider runs, so that every visit of a row reads whole pages of it.
+constexpr Index rows_at_a_time = 32;
+constexpr Index columns_at_a_time = 256;
 
-// Calls work(first, count) for runs of lanes that cover 0..lanes-1.
+// Calls work(first, count) for runs of `width` lanes that cover 0..lanes-1.
 template <class Work>
-void for_runs(Index lanes, int threads, Work&& work) {
-  const Index runs = ceil_divide(lanes, lanes_at_a_time);
+void for_runs(Index lanes, Index width, int threads, Work&& work) {
+  const Index runs = ceil_divide(lanes, width);
   const auto run = [&](Index i) {
-    const Index first = i * lanes_at_a_time;
-    work(first, std::min(lanes_at_a_time, lanes - first));
+    const Index first = i * width;
+    work(first, std::min(width, lanes - first));
   };
   if (threads == 1) {
     for (Index i = 0; i < runs; ++i) run(i);
@@ -32,30 +34,39 @@ Lines<T> columns_of(Grid<T>& grid, Index first, Index count) {
   return {grid.samples().data() + first, grid.rows(), count, grid.cols()};
 }
 template <class T>
-Lines<const T> columns_of(const Grid<T>& grid, Index first, Index count) {
-  return {grid.samples().data() + first, grid.rows(), count, grid.cols()};
+Lines<const T> columns_of(GridView<const T> grid, Index first, Index count) {
+  return {grid.row(0) + first, grid.rows(), count, grid.stride()};
 }
 
-// Rows first.. of the grid, turned so that samples of a row follow each other line by line.
+// Rows first.. of the grid, turned so that samples of a row follow each other line by line. A few
+// columns at a time, so that what is written lies together.
+constexpr Index turned_at_a_time = 8;
+
 template <class T>
-void turn_in(const Grid<T>& grid, Index first, Lines<T> lines) {
-  for (Index lane = 0; lane < lines.lanes; ++lane) {
-    const T* row = grid.row(first + lane);
-    for (Index c = 0; c < lines.count; ++c) lines[c][lane] = row[c];
+void turn_in(GridView<const T> grid, Index first, Lines<T> lines) {
+  for (Index from = 0; from < lines.count; from += turned_at_a_time) {
+    const Index to = std::min(from + turned_at_a_time, lines.count);
+    for (Index lane = 0; lane < lines.lanes; ++lane) {
+      const T* row = grid.row(first + lane);
+      for (Index c = from; c < to; ++c) lines[c][lane] = row[c];
+    }
   }
 }
 template <class T>
 void turn_out(Lines<const T> lines, Grid<T>& grid, Index first) {
-  for (Index lane = 0; lane < lines.lanes; ++lane) {
-    T* row = grid.row(first + lane);
-    for (Index c = 0; c < lines.count; ++c) row[c] = lines[c][lane];
+  for (Index from = 0; from < lines.count; from += turned_at_a_time) {
+    const Index to = std::min(from + turned_at_a_time, lines.count);
+    for (Index lane = 0; lane < lines.lanes; ++lane) {
+      T* row = grid.row(first + lane);
+      for (Index c = from; c < to; ++c) row[c] = lines[c][lane];
+    }
   }
 }
 
 template <class T>
-void analyse_columns(const AxisReverse<T>& axis, const Grid<T>& fine, Grid<T>& coarse,
+void analyse_columns(const AxisReverse<T>& axis, GridView<const T> fine, Grid<T>& coarse,
                      Grid<T>& details, int threads) {
-  for_runs(fine.cols(), threads, [&](Index first, Index count) {
+  for_runs(fine.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
     axis.analyse(columns_of(fine, first, count), columns_of(coarse, first, count),
                  columns_of(details, first, count));
   });
@@ -64,20 +75,20 @@ void analyse_columns(const AxisReverse<T>& axis, const Grid<T>& fine, Grid<T>& c
 template <class T>
 void synthesise_columns(const AxisReverse<T>& axis, const Grid<T>& coarse, const Grid<T>& details,
                         Grid<T>& fine, int threads) {
-  for_runs(fine.cols(), threads, [&](Index first, Index count) {
-    axis.synthesise(columns_of(coarse, first, count), columns_of(details, first, count),
-                    columns_of(fine, first, count));
+  for_runs(fine.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
+    axis.synthesise(columns_of(coarse.view(), first, count),
+                    columns_of(details.view(), first, count), columns_of(fine, first, count));
   });
 }
 
 template <class T>
 void analyse_rows(const AxisReverse<T>& axis, const Grid<T>& fine, Grid<T>& coarse,
                   Grid<T>& details, int threads) {
-  for_runs(fine.rows(), threads, [&](Index first, Index count) {
+  for_runs(fine.rows(), rows_at_a_time, threads, [&](Index first, Index count) {
     LineBuffer<T> in(fine.cols(), count);
     LineBuffer<T> low(coarse.cols(), count);
     LineBuffer<T> high(details.cols(), count);
-    turn_in(fine, first, in.lines());
+    turn_in(fine.view(), first, in.lines());
     axis.analyse(in.lines(), low.lines(), high.lines());
     turn_out<T>(low.lines(), coarse, first);
     turn_out<T>(high.lines(), details, first);
@@ -87,12 +98,12 @@ void analyse_rows(const AxisReverse<T>& axis, const Grid<T>& fine, Grid<T>& coar
 template <class T>
 void synthesise_rows(const AxisReverse<T>& axis, const Grid<T>& coarse, const Grid<T>& details,
                      Grid<T>& fine, int threads) {
-  for_runs(fine.rows(), threads, [&](Index first, Index count) {
+  for_runs(fine.rows(), rows_at_a_time, threads, [&](Index first, Index count) {
     LineBuffer<T> low(coarse.cols(), count);
     LineBuffer<T> high(details.cols(), count);
     LineBuffer<T> out(fine.cols(), count);
-    turn_in(coarse, first, low.lines());
-    turn_in(details, first, high.lines());
+    turn_in(coarse.view(), first, low.lines());
+    turn_in(details.view(), first, high.lines());
     axis.synthesise(low.lines(), high.lines(), out.lines());
     turn_out<T>(out.lines(), fine, first);
   });
@@ -141,11 +152,15 @@ template <class T>
 GridDecomposition<T> decompose_grid(GridView<const T> samples, const Scheme& scheme,
                                     const GridReverseOptions& options) {
   const GridPyramid pyramid(scheme.mask(), samples.extent(), options);
-  GridDecomposition<T> result{Grid<T>(samples.extent()), {}};
-  for (Index r = 0; r < samples.rows(); ++r)
-    std::copy_n(samples.row(r), samples.cols(), result.coarse.row(r));
+  GridDecomposition<T> result;
+  if (options.levels == 0) {
+    result.coarse = Grid<T>(samples.extent());
+    for (Index r = 0; r < samples.rows(); ++r)
+      std::copy_n(samples.row(r), samples.cols(), result.coarse.row(r));
+  }
   for (int step = 0; step < options.levels; ++step) {
-    const Grid<T> fine = std::move(result.coarse);
+    const Grid<T> before = std::move(result.coarse);
+    const GridView<const T> fine = step == 0 ? samples : before.view();
     const AxisReverse<T> y(scheme.mask(), fine.rows(), options.boundaries.y, options.mode);
     const AxisReverse<T> x(scheme.mask(), fine.cols(), options.boundaries.x, options.mode);
     Grid<T> low({y.coarse_count(), fine.cols()});

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
+#include <memory>
 #include <type_traits>
-#include <vector>
 
 #include "arete/field/grid.h"
 #include "arete/refine/combine.h"
@@ -31,18 +30,20 @@ struct Lines {
   operator Lines<const R>() const { return {data, count, lanes, stride}; }  // NOLINT
 };
 
-/// Lines of its own, without gaps.
+/// Lines of its own, without gaps; floating-point samples are not set until they are written.
 template <class R>
 class LineBuffer {
  public:
   LineBuffer(Index count, Index lanes)
-      : count_(count), lanes_(lanes), samples_(static_cast<std::size_t>(count * lanes), R(0)) {}
-  [[nodiscard]] Lines<R> lines() { return {samples_.data(), count_, lanes_, lanes_}; }
+      : count_(count),
+        lanes_(lanes),
+        samples_(std::make_unique_for_overwrite<R[]>(static_cast<std::size_t>(count * lanes))) {}
+  [[nodiscard]] Lines<R> lines() { return {samples_.get(), count_, lanes_, lanes_}; }
 
  private:
   Index count_;
   Index lanes_;
-  std::vector<R> samples_;
+  std::unique_ptr<R[]> samples_;
 };
 
 /// out[c] = weights[0] lines[0][c] + weights[1] lines[1][c] + ..., from left to right, over any

@@ -72,17 +72,19 @@ class LocalMeshReverse {
       for (Index v = 0; v < faces_.vertices; ++v) {
         if (known[static_cast<std::size_t>(v)] != 0) continue;
         left = true;
-        for (const Index e : mesh_.vertex_edges(v)) {
-          const Index neighbour = mesh_.other_end(e, v);
-          if (known[static_cast<std::size_t>(neighbour)] == 0) continue;
-          add_row(result_, v, fine_, first_edge_ + e, R(4));
-          add_row(result_, v, std::as_const(result_).view(), neighbour, R(-1));
+        std::vector<Index> served;
+        for (const Index e : mesh_.vertex_edges(v))
+          if (known[static_cast<std::size_t>(mesh_.other_end(e, v))] != 0) served.push_back(e);
+        if (served.empty()) continue;
+        const R share = R(1) / R(static_cast<int>(served.size()));
+        for (const Index e : served) {
+          add_row(result_, v, fine_, first_edge_ + e, R(4) * share);
+          add_row(result_, v, std::as_const(result_).view(), mesh_.other_end(e, v), R(0) - share);
           for (const Index f : mesh_.edge_faces(e))
-            add_row(result_, v, fine_, first_face_ + f, R(-1));
-          known[static_cast<std::size_t>(v)] = 1;
-          found = true;
-          break;
+            add_row(result_, v, fine_, first_face_ + f, R(0) - share);
         }
+        known[static_cast<std::size_t>(v)] = 1;
+        found = true;
       }
       if (!left) return true;
       if (!found) return false;

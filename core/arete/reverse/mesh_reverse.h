@@ -50,8 +50,8 @@ struct MeshCoarse {
 ///
 /// - local: the formulas above; at the boundary V = 2 v' - (e_1 + e_2)/2; Doo-Sabin's vertex is the
 ///   mean over its faces of what each face alone gives. Catmull-Clark vertices of valence 3 follow
-///   from a neighbour E by V = 4 e - E - f_1 - f_2, the known neighbours first. A closed part with
-///   valence 3 everywhere is left to least squares.
+///   from neighbours E by V = 4 e - E - f_1 - f_2, the mean over those known, in sweeps of
+///   ascending vertices. A closed part with valence 3 everywhere is left to least squares.
 /// - least squares: the positions whose subdivision is nearest.
 ///
 /// Both give subdivided data back exactly (to rounding). On other data local formulas amplify
