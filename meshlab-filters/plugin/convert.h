@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "arete/meshlab/mesh_arrays.h"
+#include "compat.h"
+
+namespace arete::meshlab {
+
+/// The live vertices and faces of a mesh as plain arrays, in their order, with whatever optional
+/// components are there: colour, quality, texture coordinates and radius of vertices as channels,
+/// texture coordinates of wedges. The mesh is not changed.
+[[nodiscard]] MeshArrays read_mesh(const MeshModel& mesh);
+
+/// Puts the result in place of the mesh it was made from. Deleted elements are compacted away,
+/// vertices keep numbers, flags and attributes; colour, quality and selection of a face go to all
+/// that lie in its place; adjacency and curvature, which are no longer true, are switched off.
+void write_refined(const RefinedMesh& refined, bool keep_quads, MeshModel& mesh);
+
+/// Puts new places (and normals) in; nothing else changes.
+void write_moved(const MovedMesh& moved, MeshModel& mesh);
+
+}  // namespace arete::meshlab

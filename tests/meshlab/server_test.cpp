@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shipped script, filter by filter, in the distribution's meshlabserver. Its exit code says
+// little, so the files it writes are read.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "arete/refine/refiner.h"
+#include "arete/scheme/catalogue.h"
+#include "support/temporary_folder.h"
+
+namespace arete::meshlab {
+namespace {
+
+const std::string source = ARETE_SOURCE_DIR;
+const std::string terrain = source + "/meshlab-filters/terrain.ply";
+
+std::string text_of(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Runs meshlabserver; what it says on both streams.
+std::string serve(const std::string& arguments, const test::TemporaryFolder& folder) {
+  const std::string log = folder.file("log");
+  const std::string command = "XDG_RUNTIME_DIR=" + folder.path().string() +
+                              " HOME=" + folder.path().string() + " xvfb-run -a " + source +
+                              "/scripts/try-meshlab --build " ARETE_BUILD_DIR " --server " +
+                              arguments + " > " + log + " 2>&1";
+  (void)!std::system(command.c_str());
+  return text_of(log);
+}
+
+// The block of one filter of the shipped script as a script of its own.
+std::string script_of(const std::string& filter, const test::TemporaryFolder& folder) {
+  const std::string all = text_of(source + "/examples/terrain.mlx");
+  const auto begin = all.find("<filter name=\"" + filter + "\">");
+  const auto end = all.find("</filter>", begin);
+  EXPECT_NE(end, std::string::npos) << filter;
+  const std::string path = folder.file("script.mlx");
+  std::ofstream(path) << "<!DOCTYPE FilterScript>\n<FilterScript>\n"
+                      << all.substr(begin, end + 9 - begin) << "\n</FilterScript>\n";
+  return path;
+}
+
+struct Vertices {
+  std::size_t faces = 0;
+  std::vector<std::vector<float>> rows;  // x y z ...
+};
+
+// MeshLab's binary PLY with float properties only.
+Vertices read_binary_ply(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  Vertices result;
+  std::string line;
+  std::size_t count = 0, properties = 0;
+  bool in_vertices = false;
+  while (std::getline(stream, line) && line != "end_header") {
+    std::istringstream words(line);
+    std::string word, kind;
+    words >> word >> kind;
+    if (word == "element") {
+      in_vertices = kind == "vertex";
+      words >> (in_vertices ? count : result.faces);
+    }
+    if (word == "property" && in_vertices) {
+      EXPECT_EQ(kind, "float");
+      ++properties;
+    }
+  }
+  result.rows.assign(count, std::vector<float>(properties));
+  for (auto& row : result.rows)
+    stream.read(reinterpret_cast<char*>(row.data()), std::streamsize(properties * sizeof(float)));
+  EXPECT_TRUE(bool(stream)) << path;
+  return result;
+}
+
+constexpr Extent terrain_extent{43, 50};
+
+Grid<double> terrain_heights() {
+  std::ifstream stream(terrain);
+  std::string line;
+  while (std::getline(stream, line) && line != "end_header") {
+  }
+  Grid<double> heights(terrain_extent);
+  for (double& z : heights.samples()) {
+    double x = 0, y = 0;
+    float height = 0;
+    stream >> x >> y >> height;
+    std::getline(stream, line);
+    z = height;
+  }
+  return heights;
+}
+
+std::multiset<float> heights_in(const Vertices& vertices) {
+  std::multiset<float> heights;
+  for (const auto& row : vertices.rows) heights.insert(row[2]);
+  return heights;
+}
+
+std::multiset<float> rounded(const Grid<double>& grid) {
+  std::multiset<float> heights;
+  for (double z : grid.samples()) heights.insert(static_cast<float>(z));
+  return heights;
+}
+
+TEST(server, subdivide_by_the_shipped_script) {
+  const test::TemporaryFolder folder;
+  const std::string out = folder.file("out.ply");
+  const std::string log = serve(
+      "-i " + terrain + " -o " + out + " -s " + script_of("Arete: Subdivide Terrain Grid", folder),
+      folder);
+  const Vertices result = read_binary_ply(out);
+  EXPECT_EQ(result.faces, 2u * 168 * 196) << log;
+  RefineOptions options;
+  options.levels = 2;
+  EXPECT_EQ(heights_in(result), rounded(refine(terrain_heights(), make_scheme("gentle"), options)));
+}
+
+TEST(server, limit_by_the_shipped_script) {
+  const test::TemporaryFolder folder;
+  const std::string out = folder.file("out.ply");
+  const std::string log = serve("-i " + terrain + " -o " + out + " -m vn -s " +
+                                    script_of("Arete: Compute Limit Positions And Normals", folder),
+                                folder);
+  const Vertices result = read_binary_ply(out);
+  ASSERT_EQ(result.rows.size(), 43u * 50u) << log;
+  ASSERT_EQ(result.rows[0].size(), 6u);
+  // Inside, gentle's limit weights as arete describe prints them, along both axes.
+  const Grid<double> heights = terrain_heights();
+  const double w[] = {-1.0 / 72, 25.0 / 108, 61.0 / 108, 25.0 / 108, -1.0 / 72};
+  for (Index r = 4; r < 38; ++r) {
+    for (Index c = 4; c < 45; ++c) {
+      double z = 0;
+      for (Index i = 0; i < 5; ++i)
+        for (Index j = 0; j < 5; ++j) z += w[i] * w[j] * heights(r + i - 2, c + j - 2);
+      const auto& row = result.rows[std::size_t(r * 50 + c)];
+      EXPECT_NEAR(row[2], z, 1e-3);
+      EXPECT_NEAR(row[3] * row[3] + row[4] * row[4] + row[5] * row[5], 1, 1e-5);
+      EXPECT_GT(row[5], 0);
+    }
+  }
+}
+
+TEST(server, smoothness_by_the_shipped_script) {
+  const test::TemporaryFolder folder;
+  const std::string log =
+      serve("-i " + terrain + " -s " + script_of("Arete: Smoothness To Log", folder), folder);
+  EXPECT_NE(log.find("C^1: certified"), std::string::npos) << log;
+  EXPECT_NE(log.find("Hoelder exponent"), std::string::npos) << log;
+}
+
+TEST(server, the_whole_script_and_quads_in_the_file) {
+  const test::TemporaryFolder folder;
+  const std::string out = folder.file("out.off");
+  const std::string log = serve(
+      "-i " + terrain + " -o " + out + " -m mp -s " + source + "/examples/terrain.mlx", folder);
+  std::ifstream stream(out);
+  std::string word;
+  std::size_t vertices = 0, faces = 0;
+  stream >> word >> vertices >> faces;
+  EXPECT_EQ(vertices, 169u * 197u) << log;
+  EXPECT_EQ(faces, 168u * 196u) << "not quads: " << log;
+}
+
+TEST(server, a_refusal_writes_no_file_and_says_why) {
+  const test::TemporaryFolder folder;
+  const std::string in = folder.file("hole.off");
+  std::ofstream(in) << "OFF\n8 8 0\n0 0 0\n1 0 0\n2 0 0\n2 1 0\n2 2 0\n1 2 0\n0 2 0\n0 1 0\n"
+                       "3 0 1 7\n3 1 2 3\n3 3 4 5\n3 5 6 7\n3 1 3 7\n3 7 3 5\n3 1 3 5\n3 0 2 4\n";
+  const std::string out = folder.file("out.ply");
+  const std::string log =
+      serve("-i " + in + " -o " + out + " -s " + script_of("Arete: Subdivide Terrain Grid", folder),
+            folder);
+  EXPECT_NE(log.find("not a terrain grid"), std::string::npos) << log;
+  EXPECT_EQ(text_of(out), "");
+}
+
+// Opening, one level and saving, beside MeshLab's own midpoint filter on the same mesh.
+TEST(server, is_faster_than_midpoint) {
+  const test::TemporaryFolder folder;
+  const char* wanted = std::getenv("ARETE_TEST_GRID");
+  const int n = wanted == nullptr ? 513 : std::atoi(wanted);
+  const std::string in = folder.file("in.ply");
+  {
+    std::ofstream ply(in, std::ios::binary);
+    ply << "ply\nformat binary_little_endian 1.0\nelement vertex " << n * n
+        << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
+        << (n - 1) * (n - 1) << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (int r = 0; r < n; ++r)
+      for (int c = 0; c < n; ++c) {
+        const float p[] = {float(c), float(-r), float((r * 31 + c * 17) % 23)};
+        ply.write(reinterpret_cast<const char*>(p), sizeof p);
+      }
+    for (int r = 0; r + 1 < n; ++r)
+      for (int c = 0; c + 1 < n; ++c) {
+        const int i = r * n + c;
+        const int corners[] = {i, i + n, i + n + 1, i + 1};
+        ply.put(4);
+        ply.write(reinterpret_cast<const char*>(corners), sizeof corners);
+      }
+  }
+  const auto seconds = [&](const std::string& script, std::size_t* vertices) {
+    const std::string out = folder.file("out.ply");
+    std::remove(out.c_str());
+    const auto start = std::chrono::steady_clock::now();
+    const std::string log = serve("-i " + in + " -o " + out + " -s " + script, folder);
+    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+    *vertices = read_binary_ply(out).rows.size();
+    return duration.count();
+  };
+  std::string ours = text_of(script_of("Arete: Subdivide Terrain Grid", folder));
+  ours.replace(ours.find("name=\"Levels\" value=\"2\""), 23, "name=\"Levels\" value=\"1\"");
+  std::ofstream(folder.file("ours.mlx")) << ours;
+  std::ofstream(folder.file("midpoint.mlx"))
+      << "<!DOCTYPE FilterScript>\n<FilterScript>\n"
+         "<filter name=\"Subdivision Surfaces: Midpoint\">\n"
+         "<Param type=\"RichInt\" name=\"Iterations\" value=\"1\"/>\n"
+         "<Param type=\"RichAbsPerc\" name=\"Threshold\" value=\"0\" min=\"0\" max=\"1000\"/>\n"
+         "<Param type=\"RichBool\" name=\"Selected\" "
+         "value=\"false\"/>\n</filter>\n</FilterScript>\n";
+  std::size_t found = 0;
+  const double midpoint = seconds(folder.file("midpoint.mlx"), &found);
+  EXPECT_GT(found, std::size_t(n) * std::size_t(n));
+  const double mine = seconds(folder.file("ours.mlx"), &found);
+  EXPECT_EQ(found, std::size_t(2 * n - 1) * std::size_t(2 * n - 1));
+  std::cout << "grid " << n << ": arete " << mine << " s, midpoint " << midpoint << " s, ratio "
+            << midpoint / mine << '\n';
+  EXPECT_LT(mine, midpoint);
+}
+
+}  // namespace
+}  // namespace arete::meshlab
