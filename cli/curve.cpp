@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 // arete curve: refines a polygon of points.
-#include "arete/refine/curve.h"
-
 #include <iostream>
 #include <memory>
 
+#include "arete/variational/cardinal.h"
+#include "cli/cardinal_stencil.h"
+#include "cli/curve_output.h"
+#include "cli/curve_samples.h"
 #include "cli/error.h"
 #include "cli/interruption.h"
 #include "cli/output_file.h"
-#include "cli/points_csv.h"
 #include "cli/scheme_json.h"
 #include "cli/verb.h"
-#ifdef ARETE_HAVE_VTK
-#include "arete/vtk/plot_curve.h"
-#include "arete/vtk/write_polyline.h"
-#endif
 
 namespace arete::cli {
 namespace {
@@ -23,97 +20,81 @@ struct CurveArguments {
   std::string input;
   std::string output;
   std::string scheme;
-  int levels = 1;
   std::string boundary = "extrapolate";
   bool closed = false;
   bool tau = false;
+  bool interpolate = false;
   bool overwrite = false;
   bool json = false;
+  CurveRequest request;
 };
 
-std::vector<double> parameters(const Curve<double>& curve) {
-  std::vector<double> tau;
-  for (Index i = 0; i < curve.points.rows(); ++i)
-    tau.push_back(curve.parameter.first + static_cast<double>(i) * curve.parameter.spacing);
-  return tau;
+// The control points whose limit passes through the given points.
+Grid<double> interpolating(const Grid<double>& points, const Scheme& scheme, Boundary boundary) {
+  const CardinalAxis<double> axis(cardinal_stencil(scheme), boundary, points.rows());
+  Grid<double> control = points;
+  axis.solve_lines(control.row(0), control.cols(), control.cols());
+  return control;
 }
 
-// The refined points in the columns of the input, and tau as the last one on request.
-Points table_of(const Curve<double>& curve, const Points& control, bool with_tau) {
-  Points table{control.header, curve.points};
-  if (!with_tau) return table;
-  if (!table.header.empty()) table.header.emplace_back("tau");
-  table.values = Grid<double>({curve.points.rows(), curve.points.cols() + 1});
-  const std::vector<double> tau = parameters(curve);
-  for (Index r = 0; r < curve.points.rows(); ++r) {
-    std::copy_n(curve.points.row(r), curve.points.cols(), table.values.row(r));
-    table.values(r, curve.points.cols()) = tau[static_cast<std::size_t>(r)];
+std::string name_of(const Points& points, Index column) {
+  return points.header.empty() ? std::to_string(column)
+                               : points.header[static_cast<std::size_t>(column)];
+}
+
+std::vector<Column> columns_of(const CurveSamples& curve, const Points& given, bool with_tau) {
+  std::vector<Column> columns;
+  if (with_tau) columns.push_back({"tau", curve.tau});
+  for (Index c = 0; c < curve.tangents.cols(); ++c) {
+    Column column{"d" + name_of(given, c), {}};
+    for (Index r = 0; r < curve.tangents.rows(); ++r) column.values.push_back(curve.tangents(r, c));
+    columns.push_back(std::move(column));
   }
-  return table;
+  if (!curve.curvature.empty()) columns.push_back({"curvature", curve.curvature});
+  return columns;
 }
 
-#ifdef ARETE_HAVE_VTK
-// So many control points would hide the curve.
-std::optional<vtk::Polyline> polygon_to_draw(const Points& control, bool closed) {
-  constexpr Index most_points = 200;
-  if (control.values.rows() > most_points) return std::nullopt;
-  return vtk::Polyline{control.values.view(), closed};
-}
-#endif
-
-void write_curve(const CurveArguments& a, const Curve<double>& curve, const Points& control,
-                 const std::filesystem::path& path) {
-  const std::string form = path.extension().string();
-  if (form == ".csv") {
-    write_points(path, table_of(curve, control, a.tau));
-    return;
-  }
-#ifdef ARETE_HAVE_VTK
-  const std::vector<double> tau = parameters(curve);
-  const vtk::Polyline line{curve.points.view(), a.closed, tau};
-  if (form == ".vtp")
-    vtk::write_polyline(line, path);
-  else
-    vtk::plot_curve(line, polygon_to_draw(control, a.closed), {}, path);
-#endif
+// Of the refined points; an added end may lie nearer.
+double spacing_of(const std::vector<double>& tau) {
+  if (tau.size() > 2) return tau[2] - tau[1];
+  return tau.size() > 1 ? tau[1] - tau[0] : 0;
 }
 
-void check_form(const std::string& output) {
-  const std::string form = std::filesystem::path(output).extension().string();
-  if (form != ".csv" && form != ".vtp" && form != ".png")
-    throw Misuse(output + ": the format '" + form +
-                 "' is not one of .csv, .vtp, .png; name the output so");
-#ifndef ARETE_HAVE_VTK
-  if (form != ".csv") throw Failure(output + ": this arete was built without VTK; write a .csv");
-#endif
+Json report(const CurveArguments& a, const Scheme& scheme, const CurveSamples& curve) {
+  return {{"input", a.input},
+          {"output", a.output},
+          {"points", curve.points.rows()},
+          {"dimension", curve.points.cols()},
+          {"closed", a.closed},
+          {"levels", a.request.levels},
+          {"scheme", scheme.text()},
+          {"interpolated", a.interpolate},
+          {"first_parameter", curve.tau.front()},
+          {"parameter_spacing", spacing_of(curve.tau)}};
 }
 
 void refine(const CurveArguments& a) {
-  check_form(a.output);
+  check_curve_form(a.output);
   const Scheme scheme = read_scheme(a.scheme);
-  const CurveOptions options{a.levels, a.closed, parse_boundary(a.boundary)};
-  const Points control = read_points(a.input);
-  const Curve<double> curve = refine_curve<double>(control.values.view(), scheme, options);
+  CurveRequest request = a.request;
+  request.boundary = a.closed ? Boundary::periodic : parse_boundary(a.boundary);
+  const Points given = read_points(a.input);
+  const Grid<double> control =
+      a.interpolate ? interpolating(given.values, scheme, request.boundary) : given.values;
+  const CurveSamples curve = sample_curve(control, scheme, request);
   OutputFile output(a.output, a.input, a.overwrite);
-  write_curve(a, curve, control, output.temporary());
+  write_curve({curve.points, given.header, a.closed, curve.tau, columns_of(curve, given, a.tau),
+               given.values},
+              output.temporary());
   stop_if_interrupted();
   output.commit();
   if (a.json)
-    std::cout << Json{{"input", a.input},
-                      {"output", a.output},
-                      {"points", curve.points.rows()},
-                      {"dimension", curve.points.cols()},
-                      {"closed", a.closed},
-                      {"levels", a.levels},
-                      {"scheme", scheme.text()},
-                      {"first_parameter", curve.parameter.first},
-                      {"parameter_spacing", curve.parameter.spacing}}
-                     .dump(2)
-              << '\n';
+    std::cout << report(a, scheme, curve).dump(2) << '\n';
   else
-    std::cout << a.input << " (" << control.values.rows() << " points) -> " << a.output << " ("
-              << curve.points.rows() << " points): " << scheme.text() << ", " << a.levels
-              << (a.levels == 1 ? " level" : " levels") << '\n';
+    std::cout << a.input << " (" << given.values.rows() << " points) -> " << a.output << " ("
+              << curve.points.rows() << " points): " << scheme.text() << ", " << a.request.levels
+              << (a.request.levels == 1 ? " level" : " levels")
+              << (a.interpolate ? ", limit through the points" : "") << '\n';
 }
 
 }  // namespace
@@ -128,14 +109,23 @@ void add_curve(CLI::App& program, Job& job) {
       ->required();
   verb->add_option("--scheme", a->scheme, "Scheme, e.g. chaikin ('arete schemes' lists all)")
       ->required();
-  verb->add_option("--levels", a->levels, "How many times the polygon is refined")
+  verb->add_option("--levels", a->request.levels, "How many times the polygon is refined")
       ->capture_default_str();
   verb->add_flag("--closed", a->closed, "The last point joins the first (do not repeat it)");
   verb->add_option("--boundary", a->boundary,
                    "What open ends do: extrapolate, clamp, reflect or none")
       ->capture_default_str();
+  verb->add_flag("--interpolate", a->interpolate,
+                 "Find the control points whose limit passes through the given points");
+  verb->add_flag("--limit", a->request.limit, "Put the points on the limit curve");
+  verb->add_flag("--fixed-ends", a->request.fixed_ends,
+                 "Begin and end at the first and the last control point");
   verb->add_flag("--tau", a->tau,
                  "Add a column: where each point lies among the control points 0, 1, ...");
+  verb->add_flag("--tangents", a->request.tangents,
+                 "Points on the limit curve, and columns of its derivatives by tau (.csv)");
+  verb->add_flag("--curvature", a->request.curvature,
+                 "Points on the limit curve, and a column of its curvature (.csv)");
   verb->add_flag("--overwrite", a->overwrite, "Replace OUT if it exists");
   verb->add_flag("--json", a->json, "Print one JSON object about what was done");
   verb->callback([&job, a] { job = [a] { refine(*a); }; });

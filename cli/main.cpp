@@ -41,6 +41,9 @@ int run(int argc, char** argv) {
   cli::add_analyze(program, job);
   cli::add_map(program, job);
   cli::add_curve(program, job);
+  cli::add_ifs(program, job);
+  cli::add_spline(program, job);
+  cli::add_minimal(program, job);
   cli::add_refine(program, job);
   cli::add_render(program, job);
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1]))

@@ -15,6 +15,9 @@ void add_describe(CLI::App& program, Job& job);
 void add_analyze(CLI::App& program, Job& job);
 void add_map(CLI::App& program, Job& job);
 void add_curve(CLI::App& program, Job& job);
+void add_ifs(CLI::App& program, Job& job);
+void add_spline(CLI::App& program, Job& job);
+void add_minimal(CLI::App& program, Job& job);
 void add_refine(CLI::App& program, Job& job);
 void add_render(CLI::App& program, Job& job);
 
