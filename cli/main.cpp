@@ -45,6 +45,9 @@ int run(int argc, char** argv) {
   cli::add_spline(program, job);
   cli::add_minimal(program, job);
   cli::add_refine(program, job);
+  cli::add_coarsen(program, job);
+  cli::add_restore(program, job);
+  cli::add_contour(program, job);
   cli::add_render(program, job);
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1]))
     return complain("there is no verb '" + std::string(argv[1]) + "'; see 'arete --help'", 2);

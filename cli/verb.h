@@ -19,6 +19,9 @@ void add_ifs(CLI::App& program, Job& job);
 void add_spline(CLI::App& program, Job& job);
 void add_minimal(CLI::App& program, Job& job);
 void add_refine(CLI::App& program, Job& job);
+void add_coarsen(CLI::App& program, Job& job);
+void add_restore(CLI::App& program, Job& job);
+void add_contour(CLI::App& program, Job& job);
 void add_render(CLI::App& program, Job& job);
 
 }  // namespace arete::cli
