@@ -17,12 +17,36 @@ using FilterBase = ::FilterPlugin;
 using FilterBase = ::MeshFilterInterface;
 #endif
 
+#ifdef ARETE_MESHLAB_RICH_PERCENTAGE
+using RichLength = ::RichPercentage;
+#else
+using RichLength = ::RichAbsPerc;
+#endif
+
 inline void update_box_and_normals(MeshModel& mesh) {
 #ifdef ARETE_MESHLAB_LOWER_CASE_UPDATE
   mesh.updateBoxAndNormals();
 #else
   mesh.UpdateBoxAndNormals();
 #endif
+}
+
+/// The textures of one mesh for another, too; since 2021.07 they come with their images.
+template <class Mesh>
+void copy_textures(const Mesh& from, Mesh& to) {
+  if constexpr (requires { to.addTexture(std::string(), from.getTexture(std::string())); })
+    for (const std::string& name : from.cm.textures) to.addTexture(name, from.getTexture(name));
+  else
+    to.cm.textures = from.cm.textures;
+}
+
+/// Since 2021.10 layers are deleted by their id.
+template <class Document, class Mesh>
+void remove_layer(Document& document, Mesh* layer) {
+  if constexpr (requires { document.delMesh(layer); })
+    document.delMesh(layer);
+  else
+    document.delMesh(layer->id());
 }
 
 }  // namespace arete::meshlab

@@ -16,6 +16,14 @@ namespace arete::meshlab {
 /// that lie in its place; adjacency and curvature, which are no longer true, are switched off.
 void write_refined(const RefinedMesh& refined, bool keep_quads, MeshModel& mesh);
 
+/// Fills a new mesh beside the one it was made from: kinds of attributes, textures and the layer's
+/// matrix are taken over. The mesh must be empty.
+void write_created(const CreatedMesh& created, bool keep_quads, const MeshModel& source,
+                   MeshModel& mesh);
+
+/// Replaces the quality of the live vertices.
+void write_quality(const std::vector<float>& quality, MeshModel& mesh);
+
 /// Puts new places (and normals) in; nothing else changes.
 void write_moved(const MovedMesh& moved, MeshModel& mesh);
 

@@ -20,6 +20,12 @@ MeshFacts facts_of(const MeshModel* mesh) {
   if (mesh == nullptr) return facts;
   facts.vertices = mesh->cm.vn;
   facts.polygonal = mesh->hasDataMask(MeshModel::MM_POLYGONAL);
+  facts.faces = mesh->cm.fn > 0;
+  if (!mesh->cm.bbox.IsNull()) {
+    facts.width = mesh->cm.bbox.DimX();
+    facts.height = mesh->cm.bbox.DimY();
+    facts.diagonal = mesh->cm.bbox.Diag();
+  }
   return facts;
 }
 
@@ -45,6 +51,9 @@ std::map<std::string, Values::Value> given_values(const std::vector<Field>& fiel
         break;
       case FieldKind::number:
         given[field.name] = typed_number(list.getFloat(name));
+        break;
+      case FieldKind::length:
+        given[field.name] = typed_number(list.getAbsPerc(name));
         break;
       case FieldKind::flag:
         given[field.name] = list.getBool(name) ? 1.0 : 0.0;
@@ -73,8 +82,21 @@ std::string cut_line(std::string line) {
   return line;
 }
 
-void apply(const Filter& row, MeshModel* mesh, const RichParameterList& parameters,
+// Nothing is left behind when there is no memory for the new layer.
+void add_layer(const Outcome& outcome, MeshModel& source, MeshDocument& document) {
+  MeshModel* layer = document.addNewMesh("", text(outcome.created->label), true);
+  try {
+    write_created(*outcome.created, outcome.keep_quads, source, *layer);
+  } catch (...) {
+    remove_layer(document, layer);
+    document.setCurrentMesh(source.id());
+    throw;
+  }
+}
+
+void apply(const Filter& row, MeshDocument& document, const RichParameterList& parameters,
            vcg::CallBackPos* callback, const std::function<void(const std::string&)>& log) {
+  MeshModel* mesh = document.mm();
   const bool needs_mesh = row.effect != Effect::reports;
   if (mesh == nullptr && needs_mesh)
     throw InvalidField("there is no mesh; open a terrain mesh first");
@@ -86,10 +108,13 @@ void apply(const Filter& row, MeshModel* mesh, const RichParameterList& paramete
   report.progress(90, "Writing the mesh");
   if (outcome.refined) write_refined(*outcome.refined, outcome.keep_quads, *mesh);
   if (outcome.moved) write_moved(*outcome.moved, *mesh);
+  if (outcome.created) add_layer(outcome, *mesh, document);
+  if (!outcome.quality.empty()) write_quality(outcome.quality, *mesh);
   for (const std::string& line : report.lines()) log(cut_line(line));
   static const Matrix44m identity = Matrix44m::Identity();
   if (needs_mesh && !(mesh->cm.Tr == identity))
-    log("The layer's matrix was neither read nor changed");
+    log(outcome.created ? "The new layer has the matrix of the old one"
+                        : "The layer's matrix was neither read nor changed");
   if (callback != nullptr) callback(100, "Done");
 }
 
@@ -108,11 +133,14 @@ FilterBase::FilterClass filter_class(int id) {
   if ((menus & polygonal) != 0) result |= FilterBase::Polygonal;
   if ((menus & normal) != 0) result |= FilterBase::Normal;
   if ((menus & measure) != 0) result |= FilterBase::Measure;
+  if ((menus & point_set) != 0) result |= FilterBase::PointSet;
+  if ((menus & sampling) != 0) result |= FilterBase::Sampling;
   return static_cast<FilterBase::FilterClass>(result);
 }
 
 int filter_preconditions(int id) {
-  return filter(id).effect == Effect::reports ? MeshModel::MM_NONE : MeshModel::MM_FACENUMBER;
+  if (filter(id).effect == Effect::reports) return MeshModel::MM_NONE;
+  return filter(id).needs_faces ? MeshModel::MM_FACENUMBER : MeshModel::MM_NONE;
 }
 
 int filter_postcondition(int id) {
@@ -123,6 +151,9 @@ int filter_postcondition(int id) {
       return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
     case Effect::moves:
       return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL;
+    case Effect::creates:
+      // The old layer stays. Its quality, which may be written on request, is not told: MeshLab
+      // would offer a preview, and make a layer at every turn of a knob.
     case Effect::reports:
       break;
   }
@@ -145,6 +176,10 @@ void add_parameters(int id, const MeshModel* mesh, RichParameterList& list) {
       case FieldKind::number:
         list.addParam(RichFloat(name, static_cast<float>(field.fallback), label, tooltip));
         break;
+      case FieldKind::length:
+        list.addParam(RichLength(name, static_cast<float>(field.fallback), 0.F,
+                                 static_cast<float>(field.highest), label, tooltip));
+        break;
       case FieldKind::flag:
         list.addParam(RichBool(name, field.fallback != 0, label, tooltip));
         break;
@@ -155,12 +190,12 @@ void add_parameters(int id, const MeshModel* mesh, RichParameterList& list) {
   }
 }
 
-bool run_filter(int id, MeshModel* mesh, const RichParameterList& parameters,
+bool run_filter(int id, MeshDocument& document, const RichParameterList& parameters,
                 vcg::CallBackPos* progress, const std::function<void(const std::string& line)>& log,
                 QString& error) noexcept {
   std::string message;
   try {
-    apply(filter(id), mesh, parameters, progress, log);
+    apply(filter(id), document, parameters, progress, log);
     return true;
   } catch (const std::bad_alloc&) {
     message = "there is not enough memory for the result; use fewer levels";

@@ -19,9 +19,9 @@ namespace arete::meshlab {
 /// The fields of the dialog; `mesh` may be null.
 void add_parameters(int id, const MeshModel* mesh, RichParameterList& list);
 
-/// Applies a filter. False: `error` says why, as HTML text, and the mesh is untouched. `mesh` and
-/// `progress` may be null.
-[[nodiscard]] bool run_filter(int id, MeshModel* mesh, const RichParameterList& parameters,
+/// Applies a filter to the current mesh. False: `error` says why, as HTML text, and the document is
+/// untouched. There may be no mesh; `progress` may be null.
+[[nodiscard]] bool run_filter(int id, MeshDocument& document, const RichParameterList& parameters,
                               vcg::CallBackPos* progress,
                               const std::function<void(const std::string& line)>& log,
                               QString& error) noexcept;

@@ -46,5 +46,5 @@ bool AreteFilterPlugin::applyFilter(QAction* action, MeshDocument& document,
                                     vcg::CallBackPos* progress) {
   const auto log = [this](const std::string& line) { Log("%s", line.c_str()); };
   errorMessage.clear();
-  return run_filter(ID(action), document.mm(), parameters, progress, log, errorMessage);
+  return run_filter(ID(action), document, parameters, progress, log, errorMessage);
 }

@@ -52,7 +52,7 @@ std::map<std::string, QVariant> AreteFilterPlugin::applyFilter(const QAction* ac
                                                                vcg::CallBackPos* progress) {
   const auto write_line = [this](const std::string& line) { log("%s", line.c_str()); };
   QString error;
-  if (!run_filter(ID(action), document.mm(), parameters, progress, write_line, error))
+  if (!run_filter(ID(action), document, parameters, progress, write_line, error))
     throw MLException(error);
   post_condition = static_cast<unsigned int>(postCondition(action));
   return {};

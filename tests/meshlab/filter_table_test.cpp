@@ -28,13 +28,16 @@ TEST(filter_table, names_are_a_script_api) {
     return more;
   };
   const auto& table = filter_table();
-  ASSERT_EQ(table.size(), 3u);
+  ASSERT_EQ(table.size(), 4u);
   EXPECT_EQ(table[0].name, "Arete: Subdivide Terrain Grid");
   EXPECT_EQ(field_names(table[0]), with({"Levels", "Boundary", "Coordinates", "KeepQuads"}));
   EXPECT_EQ(table[1].name, "Arete: Compute Limit Positions And Normals");
   EXPECT_EQ(field_names(table[1]), with({"Boundary", "Coordinates"}));
   EXPECT_EQ(table[2].name, "Arete: Smoothness To Log");
   EXPECT_EQ(field_names(table[2]), with({"MaxPower"}));
+  EXPECT_EQ(table[3].name, "Arete: Coarsen Terrain Grid (reverse subdivision)");
+  EXPECT_EQ(field_names(table[3]),
+            with({"Levels", "Boundary", "Coordinates", "Mode", "KeepQuads", "DetailsToQuality"}));
 }
 
 TEST(filter_table, choices_are_known_to_scripts_by_number) {

@@ -92,6 +92,8 @@ Document::Result Document::apply(const std::string& filter_name,
     const Value& old = list.getParameterByName(key).value();
     if (old.isBool())
       list.setValue(key, BoolValue(value != 0));
+    else if (old.isAbsPerc())
+      list.setValue(key, AbsPercValue(float(value)));
     else if (old.isEnum())
       list.setValue(key, EnumValue(int(value)));
     else if (old.isInt())

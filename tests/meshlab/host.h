@@ -64,5 +64,7 @@ class Document {
 inline const char* const subdivide_filter = "Arete: Subdivide Terrain Grid";
 inline const char* const limit_filter = "Arete: Compute Limit Positions And Normals";
 inline const char* const smoothness_filter = "Arete: Smoothness To Log";
+inline const char* const coarsen_filter = "Arete: Coarsen Terrain Grid (reverse subdivision)";
+inline const char* const points_filter = "Arete: Terrain From Points";
 
 }  // namespace arete::meshlab::test

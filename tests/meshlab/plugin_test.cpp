@@ -25,7 +25,7 @@ std::vector<MeshForm> forms() {
 
 TEST(plugin, shows_itself_as_meshlab_wants_it) {
   Host& host = Host::instance();
-  EXPECT_EQ(host.plugin().actions().size(), 3);
+  EXPECT_EQ(host.plugin().actions().size(), 4);
   for (QAction* action : host.plugin().actions()) {
     EXPECT_EQ(action->parent(), dynamic_cast<QObject*>(&host.plugin()));
     EXPECT_EQ(action->text(), host.plugin().filterName(action));

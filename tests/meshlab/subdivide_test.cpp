@@ -192,7 +192,7 @@ TEST(subdivide, can_be_repeated) {
 TEST(subdivide, channels_are_linear_and_exact_at_old_vertices) {
   GridMesh mesh = grid_mesh({6, 7}, {MeshForm::Diagonals::random, false, true});
   Channel linear;
-  Channel texture{{}, true};
+  Channel texture{{}, Blend::nearest};
   for (const Point3& p : mesh.arrays.positions) {
     linear.values.push_back(static_cast<float>(3 + 0.25 * p[0] - 0.125 * p[1]));
     texture.values.push_back(p[0] > 25 ? 1.F : 0.F);

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace arete::meshlab {
@@ -24,7 +25,7 @@ std::string camel_case(const std::string& name) {
 }
 
 void check(const Field& field, double value) {
-  const bool whole = field.kind != FieldKind::number;
+  const bool whole = field.kind == FieldKind::choice || field.kind == FieldKind::whole;
   if (field.kind == FieldKind::flag) return;
   if (std::isfinite(value) && value >= field.lowest && value <= field.highest &&
       (!whole || value == std::floor(value)))
@@ -34,62 +35,69 @@ void check(const Field& field, double value) {
                      range_text(field.lowest, field.highest));
 }
 
+Field ranged(FieldKind kind, std::string name, std::string label, std::string tooltip,
+             double fallback, double lowest, double highest) {
+  return {std::move(name),
+          std::move(label),
+          std::move(tooltip),
+          kind,
+          fallback,
+          "",
+          lowest,
+          highest,
+          {}};
+}
+
 }  // namespace
 
 Field choice_field(std::string name, std::string label, std::string tooltip,
                    std::vector<std::string> choices, int fallback) {
   const double highest = static_cast<double>(choices.size()) - 1;
-  return {std::move(name),
-          std::move(label),
-          std::move(tooltip),
-          FieldKind::choice,
-          double(fallback),
-          "",
-          0,
-          highest,
-          std::move(choices)};
+  Field field = ranged(FieldKind::choice, std::move(name), std::move(label), std::move(tooltip),
+                       fallback, 0, highest);
+  field.choices = std::move(choices);
+  return field;
 }
 
 Field whole_field(std::string name, std::string label, std::string tooltip, int fallback,
                   int lowest, int highest) {
   tooltip += " (" + range_text(lowest, highest) + ")";
-  return {std::move(name),  std::move(label), std::move(tooltip),
-          FieldKind::whole, double(fallback), "",
-          double(lowest),   double(highest),  {}};
+  return ranged(FieldKind::whole, std::move(name), std::move(label), std::move(tooltip), fallback,
+                lowest, highest);
+}
+
+Field number_field(std::string name, std::string label, std::string tooltip, double fallback,
+                   double lowest, double highest) {
+  tooltip += " (" + range_text(lowest, highest) + ")";
+  return ranged(FieldKind::number, std::move(name), std::move(label), std::move(tooltip), fallback,
+                lowest, highest);
 }
 
 Field flag_field(std::string name, std::string label, std::string tooltip, bool fallback) {
-  return {std::move(name),
-          std::move(label),
-          std::move(tooltip),
-          FieldKind::flag,
-          fallback ? 1.0 : 0.0,
-          "",
-          0,
-          1,
-          {}};
+  return ranged(FieldKind::flag, std::move(name), std::move(label), std::move(tooltip),
+                fallback ? 1.0 : 0.0, 0, 1);
 }
 
 Field text_field(std::string name, std::string label, std::string tooltip) {
-  return {std::move(name), std::move(label), std::move(tooltip), FieldKind::text, 0, "", 0, 0, {}};
+  return ranged(FieldKind::text, std::move(name), std::move(label), std::move(tooltip), 0, 0, 0);
+}
+
+Field length_field(std::string name, std::string label, std::string tooltip, double fallback,
+                   double scale) {
+  return ranged(FieldKind::length, std::move(name), std::move(label), std::move(tooltip), fallback,
+                double(std::numeric_limits<float>::min()), scale);
 }
 
 Field parameter_field(const Parameter& parameter) {
   const double lowest = to_double(parameter.accepted.lowest);
   const double highest = to_double(parameter.accepted.highest);
-  Field field{
-      camel_case(parameter.name),
-      parameter.name,
+  return ranged(
+      parameter.kind == ParameterKind::integer ? FieldKind::whole : FieldKind::number,
+      camel_case(parameter.name), parameter.name,
       parameter.meaning + ". Usually " +
           range_text(to_double(parameter.usual.lowest), to_double(parameter.usual.highest)) +
           "; accepted " + range_text(lowest, highest),
-      parameter.kind == ParameterKind::integer ? FieldKind::whole : FieldKind::number,
-      parameter.fallback ? to_double(*parameter.fallback) : lowest,
-      "",
-      lowest,
-      highest,
-      {}};
-  return field;
+      parameter.fallback ? to_double(*parameter.fallback) : lowest, lowest, highest);
 }
 
 Values::Values(const std::vector<Field>& fields, const std::map<std::string, Value>& given) {

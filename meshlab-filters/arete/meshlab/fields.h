@@ -17,7 +17,14 @@ class InvalidValue : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-enum class FieldKind { choice, whole, number, flag, text };
+enum class FieldKind {
+  choice,
+  whole,
+  number,
+  flag,
+  text,
+  length  ///< a number in the units of the mesh, which a dialog also shows as part of `highest`
+};
 
 /// One field of a filter's dialog. `name` is what scripts use: never changed.
 struct Field {
@@ -36,9 +43,14 @@ struct Field {
                                  std::vector<std::string> choices, int fallback = 0);
 [[nodiscard]] Field whole_field(std::string name, std::string label, std::string tooltip,
                                 int fallback, int lowest, int highest);
+[[nodiscard]] Field number_field(std::string name, std::string label, std::string tooltip,
+                                 double fallback, double lowest, double highest);
 [[nodiscard]] Field flag_field(std::string name, std::string label, std::string tooltip,
                                bool fallback);
 [[nodiscard]] Field text_field(std::string name, std::string label, std::string tooltip);
+/// What is accepted is more than 0 up to `scale`, the size of the mesh.
+[[nodiscard]] Field length_field(std::string name, std::string label, std::string tooltip,
+                                 double fallback, double scale);
 /// From a row of the catalogue; the range is what the catalogue accepts, the tooltip tells the
 /// usual one, too.
 [[nodiscard]] Field parameter_field(const Parameter& parameter);

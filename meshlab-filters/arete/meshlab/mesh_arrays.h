@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "arete/topology/face_list.h"
@@ -21,12 +22,17 @@ struct WedgeUv {
   [[nodiscard]] friend bool operator==(const WedgeUv&, const WedgeUv&) = default;
 };
 
-/// One number of every vertex (a colour component, quality, u, v, ...). New vertices get the
-/// blend of the corners of the cell they lie in, or, where blending makes no sense (the number of
-/// a texture), the number of the nearest corner.
+/// How a number of the vertices is carried over to a place between them, or a little beyond them.
+enum class Blend {
+  linear,  ///< beyond the outermost vertices it goes on as inside (texture coordinates)
+  within,  ///< linear, but never beyond what the vertices around have (colour, quality)
+  nearest  ///< the number of the nearest vertex (which texture)
+};
+
+/// One number of every vertex.
 struct Channel {
   std::vector<float> values;
-  bool nearest = false;
+  Blend blend = Blend::within;
 };
 
 /// A MeshLab mesh as plain arrays, without deleted elements: the only thing an action sees.
@@ -46,6 +52,15 @@ struct RefinedMesh {
   MeshArrays arrays;
   std::vector<int> source_triangles;  ///< the old triangle in whose place each new one lies
   std::vector<int> dropped_vertices;  ///< old vertices that no triangle uses any more
+};
+
+/// A mesh to be put beside the one it was made from, with the same kinds of attributes. Its
+/// channels may be left out as a whole.
+struct CreatedMesh {
+  std::string label;
+  MeshArrays arrays;
+  /// The old triangle whose colour, quality and selection each new one takes over; empty: none.
+  std::vector<int> source_triangles;
 };
 
 /// New places for the vertices of a mesh; nothing else changes.

@@ -33,11 +33,4 @@ void RefinedPatch::number_vertices(int& next_vertex) {
     if (vertex < 0) vertex = next_vertex++;
 }
 
-int RefinedPatch::nearest_old_vertex(Index r, Index c) const {
-  const AxisSample& y = rows_.samples()[at(r)];
-  const AxisSample& x = cols_.samples()[at(c)];
-  return patch_->vertex(y.t < 0.5 ? y.cell : next(y.cell, patch_->extent.rows),
-                        x.t < 0.5 ? x.cell : next(x.cell, patch_->extent.cols));
-}
-
 }  // namespace arete::meshlab

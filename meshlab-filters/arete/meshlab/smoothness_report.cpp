@@ -17,11 +17,11 @@ std::string decimal(double value) {
   return text;
 }
 
-// What is added to i: nothing, - 1/2, + 1/2.
-std::string offset_text(const Mask& mask) {
+// i, (i - 1/2) or (i + 1/2).
+std::string place_text(const Mask& mask) {
   const Rational tau = mask.tau();
-  if (tau == 0) return "";
-  return tau > 0 ? " - " + to_string(tau) : " + " + to_string(Rational(-tau));
+  if (tau == 0) return "i";
+  return tau > 0 ? "(i - " + to_string(tau) + ")" : "(i + " + to_string(Rational(-tau)) + ")";
 }
 
 std::string stencil_text(const std::optional<Stencil>& stencil) {
@@ -55,6 +55,8 @@ std::string hoelder_text(const HoelderBounds& hoelder) {
     text += "at least " + decimal(hoelder.lower) + " (the shifts are not known to be stable)";
   else if (hoelder.lower == hoelder.upper)
     text += decimal(hoelder.lower) + ", exactly";
+  else if (decimal(hoelder.lower) == decimal(hoelder.upper))
+    text += decimal(hoelder.lower) + " to all digits shown";
   else
     text += "between " + decimal(hoelder.lower) + " and " + decimal(hoelder.upper);
   if (hoelder.attained == Attained::no) text += ", not attained: only every smaller one holds";
@@ -90,7 +92,7 @@ void report_smoothness(const Scheme& scheme, int max_power, Report& report) {
   report.log("Scheme " + scheme.text());
   report.log("Mask " + coefficients_text(mask) + " on the indices " + std::to_string(mask.first()) +
              " to " + std::to_string(mask.last()) + ", arity " + arity);
-  report.log("New sample i lies at (i" + offset_text(mask) + ")/" + arity + "; the scheme " +
+  report.log("New sample i lies at " + place_text(mask) + "/" + arity + "; the scheme " +
              (is_interpolatory(mask) ? "interpolates" : "approximates"));
   report.log(std::to_string(sum_rules(mask)) + " sum rules; polynomials of degree " +
              std::to_string(reproduction_degree(mask)) + " are reproduced");

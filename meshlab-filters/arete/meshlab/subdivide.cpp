@@ -80,7 +80,7 @@ class Subdivision {
     for (std::size_t k = 0; k < first; ++k) {
       const auto old = [&](int v) { return mesh_.positions[at(v)][k]; };
       for_each(refined, [&](Index r, Index c, int v) {
-        result_.arrays.positions[at(v)][k] = refined.blend(old, r, c);
+        result_.arrays.positions[at(v)][k] = blended(refined.old(), old, refined.place(r, c));
       });
     }
     const int share = (end - begin) / static_cast<int>(3 - first);
@@ -96,13 +96,10 @@ class Subdivision {
   }
 
   void blend_channel(const RefinedPatch& refined, std::size_t k) {
-    const std::vector<float>& old = mesh_.channels[k].values;
     std::vector<float>& fine = result_.arrays.channels[k].values;
     fine.resize(at(next_vertex_));
-    const auto value = [&](int v) { return static_cast<double>(old[at(v)]); };
     for_each(refined, [&](Index r, Index c, int v) {
-      fine[at(v)] = mesh_.channels[k].nearest ? old[at(refined.nearest_old_vertex(r, c))]
-                                              : static_cast<float>(refined.blend(value, r, c));
+      fine[at(v)] = carried(refined.old(), mesh_.channels[k], refined.place(r, c));
     });
   }
 
