@@ -112,6 +112,24 @@ TEST(layering, an_adapter_never_includes_another_adapter_or_the_program) {
   }
 }
 
+// They are a program's plugin and not an adapter: GPL as the cgal adapter is, so they may use it.
+TEST(layering, meshlab_filters_include_core_and_cgal_and_keep_meshlab_in_one_folder) {
+  int checked = 0;
+  for (const auto& include : includes_below(root / "meshlab-filters")) {
+    const std::string target = arete_room(include.target);
+    EXPECT_TRUE(target.empty() || target == "meshlab" || target == "cgal" ||
+                core_may_include.count(target) == 1)
+        << where(include);
+    const std::string file = fs::relative(include.file, root / "meshlab-filters").string();
+    if (file.rfind("arete/", 0) != 0) continue;
+    EXPECT_TRUE(include.target.rfind("vcg/", 0) != 0 && include.target.rfind("wrap/", 0) != 0 &&
+                include.target.rfind("common/", 0) != 0 && include.target.rfind("Q", 0) != 0)
+        << where(include);
+    ++checked;
+  }
+  EXPECT_GT(checked, 50);
+}
+
 TEST(layering, third_party_headers_appear_only_where_they_belong) {
   const auto check = [](const fs::path& folder, const std::string& room) {
     for (const auto& include : includes_below(folder)) {
