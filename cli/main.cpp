@@ -5,6 +5,9 @@
 #include <new>
 
 #include "arete/field/error.h"
+#ifdef ARETE_HAVE_GDAL
+#include "arete/gdal/remote.h"
+#endif
 #include "arete/scheme/error.h"
 #include "cli/build_info.h"
 #include "cli/error.h"
@@ -35,6 +38,10 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.failure_message(CLI::FailureMessage::simple);
   program.get_formatter()->column_width(34);
+  // Options of the program may follow the verb.
+  program.fallthrough();
+  bool allow_remote = false;
+  program.add_flag("--allow-remote", allow_remote, "Let inputs lie on a network (/vsicurl/, URLs)");
   cli::Job job;
   cli::add_schemes(program, job);
   cli::add_describe(program, job);
@@ -49,6 +56,7 @@ int run(int argc, char** argv) {
   cli::add_restore(program, job);
   cli::add_contour(program, job);
   cli::add_render(program, job);
+  cli::add_generate(program, job);
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1]))
     return complain("there is no verb '" + std::string(argv[1]) + "'; see 'arete --help'", 2);
   try {
@@ -60,6 +68,9 @@ int run(int argc, char** argv) {
     for (const CLI::App* sub : program.get_subcommands()) verb = " " + sub->get_name();
     return complain(std::string(error.what()) + "; see 'arete" + verb + " --help'", 2);
   }
+#ifdef ARETE_HAVE_GDAL
+  if (!allow_remote) gdal::forbid_remote_access();
+#endif
   cli::catch_interruptions();
   job();
   return 0;

@@ -21,14 +21,13 @@ fs::path side_file(const fs::path& path) { return path.string() + ".aux.xml"; }
 OutputFile::OutputFile(const std::string& path, const std::string& input, bool overwrite)
     : place_(path) {
   std::error_code ignored;
-  if (fs::exists(place_, ignored)) {
+  if (fs::exists(fs::symlink_status(place_, ignored))) {
     if (!input.empty() && fs::equivalent(place_, input, ignored))
       throw Failure(path + " is the input itself; name another output");
     if (fs::is_directory(place_, ignored)) throw Failure(path + " is a folder; name a file in it");
     if (!overwrite) throw Failure(path + " exists; give --overwrite to replace it");
-    // Replace what a link points to, not the link.
-    if (fs::is_symlink(place_, ignored)) place_ = fs::canonical(place_);
   }
+  // A symbolic link at the place is replaced by the file itself: nothing is ever written elsewhere.
   temporary_ = place_.parent_path() / ("." + place_.stem().string() + ".partial-" +
                                        std::to_string(getpid()) + place_.extension().string());
   const int file = open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0666);

@@ -23,5 +23,6 @@ void add_coarsen(CLI::App& program, Job& job);
 void add_restore(CLI::App& program, Job& job);
 void add_contour(CLI::App& program, Job& job);
 void add_render(CLI::App& program, Job& job);
+void add_generate(CLI::App& program, Job& job);
 
 }  // namespace arete::cli

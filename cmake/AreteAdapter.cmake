@@ -43,11 +43,21 @@ function(arete_report_adapters)
   message(STATUS "arete ${PROJECT_VERSION} adapters:\n${lines}")
 endfunction()
 
+# The interface of the shared library changed incompatibly when this number does.
+set(ARETE_ABI_VERSION 1)
+
 # arete_library(name SOURCES ... LINK ...): the library arete_<name>, alias arete::<name>, whose
-# headers are <its folder>/arete/...
+# headers are <its folder>/arete/... Core follows BUILD_SHARED_LIBS; an adapter is always static, so
+# that a shared core does not depend on every host library.
 function(arete_library name)
   cmake_parse_arguments(_library "" "" "SOURCES;LINK" ${ARGN})
-  add_library(arete_${name} ${_library_SOURCES})
+  if(name STREQUAL "core")
+    add_library(arete_core ${_library_SOURCES})
+    set_target_properties(arete_core PROPERTIES OUTPUT_NAME arete SOVERSION ${ARETE_ABI_VERSION}
+                                                VERSION ${ARETE_ABI_VERSION}.${PROJECT_VERSION})
+  else()
+    add_library(arete_${name} STATIC ${_library_SOURCES})
+  endif()
   add_library(arete::${name} ALIAS arete_${name})
   arete_target_options(arete_${name})
   set_target_properties(arete_${name} PROPERTIES EXPORT_NAME ${name})
@@ -55,9 +65,11 @@ function(arete_library name)
     arete_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(arete_${name} ${_library_LINK})
-  install(TARGETS arete_${name} EXPORT arete-${name}-targets)
+  install(TARGETS arete_${name} EXPORT arete-${name}-targets
+          LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
+          ARCHIVE COMPONENT development)
   install(EXPORT arete-${name}-targets NAMESPACE arete::
-          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/arete)
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/arete COMPONENT development)
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/arete DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-          FILES_MATCHING PATTERN "*.h")
+          COMPONENT development FILES_MATCHING PATTERN "*.h")
 endfunction()

@@ -76,6 +76,39 @@ TEST(cli_errors, work_that_cannot_be_done_exits_with_1_and_writes_nothing) {
   EXPECT_EQ(folder.entries(), 0);
 }
 
+TEST(cli_errors, nothing_is_read_from_a_network_unasked_not_even_through_a_local_file) {
+  const test::TemporaryFolder folder;
+  const std::string out = folder.file("out.tif");
+  for (const char* remote :
+       {"/vsicurl/http://127.0.0.1:9/a.tif", "http://127.0.0.1:9/a.tif",
+        "/vsizip//vsicurl/http://127.0.0.1:9/a.zip/a.tif", "/vsis3/bucket/a.tif"})
+    expect_error({"refine", remote, out, "--scheme", "gentle"}, 1, "--allow-remote");
+  const std::string vrt = folder.file("remote.vrt");
+  std::ofstream(vrt) << "<VRTDataset rasterXSize=\"9\" rasterYSize=\"9\"><VRTRasterBand "
+                        "dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename>/vsicurl/"
+                        "http://127.0.0.1:9/a.tif</SourceFilename><SourceBand>1</SourceBand>"
+                        "</SimpleSource></VRTRasterBand></VRTDataset>";
+  const test::Run run = test::run_arete({"refine", vrt, out, "--scheme", "gentle"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.err.find("onnect"), std::string::npos) << run.err;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(cli_errors, a_symbolic_link_at_the_output_is_replaced_and_what_it_points_to_is_kept) {
+  const test::TemporaryFolder folder;
+  const std::string precious = folder.file("precious.txt");
+  std::ofstream(precious) << "precious";
+  const std::string out = folder.file("out.tif");
+  std::filesystem::create_symlink(precious, out);
+  expect_error({"refine", dem, out, "--scheme", "gentle"}, 1, "give --overwrite");
+  EXPECT_EQ(test::run_arete({"refine", dem, out, "--scheme", "gentle", "--overwrite"}).exit_code,
+            0);
+  EXPECT_FALSE(std::filesystem::is_symlink(out));
+  std::string text;
+  std::ifstream(precious) >> text;
+  EXPECT_EQ(text, "precious");
+}
+
 TEST(cli_errors, input_and_existing_outputs_are_never_damaged) {
   const test::TemporaryFolder folder;
   const std::string in = folder.file("in.tif");

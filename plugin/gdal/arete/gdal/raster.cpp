@@ -9,6 +9,8 @@
 
 #include <mutex>
 
+#include "arete/gdal/remote.h"
+
 namespace arete::gdal {
 namespace {
 
@@ -47,6 +49,10 @@ void limit_cache(double bytes) { GDALSetCacheMax64(static_cast<GIntBig>(bytes));
 void Raster::Close::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 
 Raster::Raster(const std::string& path) : path_(path) {
+  if (remote_access_forbidden() && is_remote(path))
+    throw RasterError(path +
+                      " lies on a network, which is not asked unless --allow-remote is given; "
+                      "download it, or give that option");
   register_formats();
   const ErrorCollector errors;
   VSIStatBufL status;

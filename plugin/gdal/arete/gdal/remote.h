@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace arete::gdal {
+
+/// Whether a name would make GDAL ask a network: a remote virtual file system (`/vsicurl/`,
+/// `/vsis3/`, ..., also inside `/vsizip/` and its kin), a URL, or a service such as `WMS:`.
+[[nodiscard]] bool is_remote(const std::string& path);
+
+/// From now on GDAL reads no network in this process, not even where a local file (a .vrt, say)
+/// names a remote one; Raster refuses remote names with a message. To be called before the first
+/// raster is opened; cannot be undone.
+void forbid_remote_access();
+
+/// Whether forbid_remote_access() was called.
+[[nodiscard]] bool remote_access_forbidden();
+
+}  // namespace arete::gdal
