@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "arete/analysis/limit_stencil.h"
@@ -37,6 +38,9 @@ struct RefineArguments {
   std::vector<std::string> creation_options;
   int band = 1;
   bool limit = false;
+  std::optional<double> roughness;
+  std::optional<double> relief;
+  std::optional<std::uint64_t> seed;
   bool overwrite = false;
   bool json = false;
 };
@@ -69,12 +73,26 @@ Stencil limit_of(const Scheme& scheme) {
   return *stencil;
 }
 
+std::optional<Detail> detail_from(const RefineArguments& arguments) {
+  if (!arguments.roughness) {
+    if (arguments.relief || arguments.seed)
+      throw Misuse("--seed and --detail-relief say what --detail ROUGHNESS shall be; give it too");
+    return {};
+  }
+  Detail detail;
+  detail.roughness = *arguments.roughness;
+  detail.relief = arguments.relief.value_or(detail.relief);
+  detail.seed = arguments.seed.value_or(detail.seed);
+  return detail;
+}
+
 RefineOptions options_from(const RefineArguments& arguments, const Scheme& x, const Scheme& y) {
   RefineOptions options;
   options.levels = arguments.levels;
   options.boundaries = parse_boundaries(arguments.boundary);
   options.alignment = arguments.align == "cells" ? Alignment::cells : Alignment::nodes;
   options.threads = arguments.threads;
+  options.detail = detail_from(arguments);
   if (arguments.limit) {
     options.final_x = limit_of(x);
     options.final_y = limit_of(y);
@@ -97,6 +115,9 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
     object["seconds"] = seconds;
     object["samples_per_second"] = speed;
     object["threads"] = threads;
+    if (const auto detail = detail_from(arguments))
+      object["detail"] = {
+          {"roughness", detail->roughness}, {"relief", detail->relief}, {"seed", detail->seed}};
     object["misplacement"] = {{"x", done.misplacement_x}, {"y", done.misplacement_y}};
     std::cout << object.dump(2) << '\n';
     return;
@@ -183,6 +204,13 @@ void add_refine(CLI::App& program, Job& job) {
       ->check(CLI::IsMember({"nodes", "cells"}))
       ->capture_default_str();
   verb->add_flag("--limit", a->limit, "Put the last level's samples on the limit surface");
+  verb->add_option("--detail", a->roughness,
+                   "Add random detail of this roughness H: 0 raw to 2 smooth, terrain 0.5 to 0.9")
+      ->check(CLI::Range(0.0, 2.0));
+  verb->add_option("--seed", a->seed, "Another seed, another surface of the same character (0)");
+  verb->add_option("--detail-relief", a->relief,
+                   "Height of the detail as a share of the local relief (0.15)")
+      ->check(CLI::NonNegativeNumber);
   verb->add_option("--threads", a->threads, "0: as many as the machine has; never changes a bit")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();

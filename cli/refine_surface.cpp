@@ -104,7 +104,8 @@ gdal::RasterReport refine_as(const gdal::Raster& input, int band,
     vtk::write_image(surface, output);
   } else {
     std::optional<GradientGrids> gradients;
-    if (!options.final_x)
+    // Tangents of the limit know nothing of random detail.
+    if (!options.final_x && !options.detail)
       gradients = limit_gradients(coarse.view(), x, y, options, surface.georeference, progress);
     if (gradients)
       surface.gradients = vtk::Gradients{gradients->dz_dx.view(), gradients->dz_dy.view()};

@@ -62,10 +62,11 @@ template <class R>
 }
 
 /// A grid, in the order of the engine: ghost rows, ghost columns, then level by level the vertical
-/// and the horizontal rule. \pre both plans have equally many rules (AxisPlan::pad_levels).
-template <class R>
+/// and the horizontal rule, and after_level(rule, table), which may change the samples that the
+/// rule of that number made. \pre both plans have equally many rules (AxisPlan::pad_levels).
+template <class R, class AfterLevel>
 [[nodiscard]] Table<R> refine_reference(const AxisPlan& x, const AxisPlan& y,
-                                        const Table<R>& samples) {
+                                        const Table<R>& samples, AfterLevel&& after_level) {
   const auto along_columns = [](const Table<R>& table, auto&& axis) {
     Table<R> columns = transposed(table);
     for (auto& column : columns) column = axis(column);
@@ -89,9 +90,17 @@ template <class R>
     };
   };
   Table<R> level = along_rows(along_columns(samples, ghosts(y)), ghosts(x));
-  for (std::size_t l = 0; l < x.rules().size(); ++l)
+  for (std::size_t l = 0; l < x.rules().size(); ++l) {
     level = along_rows(along_columns(level, rule(y, l)), rule(x, l));
+    after_level(l, level);
+  }
   return level;
+}
+
+template <class R>
+[[nodiscard]] Table<R> refine_reference(const AxisPlan& x, const AxisPlan& y,
+                                        const Table<R>& samples) {
+  return refine_reference(x, y, samples, [](std::size_t, Table<R>&) {});
 }
 
 }  // namespace arete

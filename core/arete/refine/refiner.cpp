@@ -50,10 +50,10 @@ template <class T>
 Refiner<T>::Refiner(const Scheme& x, const Scheme& y, Extent input, const RefineOptions& options)
     : Refiner(make_plan(x, input.cols, options, options.boundaries.x, options.final_x),
               make_plan(y, input.rows, options, options.boundaries.y, options.final_y),
-              options.threads) {}
+              options.threads, options.detail) {}
 
 template <class T>
-Refiner<T>::Refiner(AxisPlan x, AxisPlan y, int threads)
+Refiner<T>::Refiner(AxisPlan x, AxisPlan y, int threads, const std::optional<Detail>& detail)
     : x_(std::move(x)), y_(std::move(y)), threads_(threads) {
   // Pass rows on unchanged along the axis that has fewer levels, before its first one.
   x_.pad_levels(y_.rules().size());
@@ -61,6 +61,10 @@ Refiner<T>::Refiner(AxisPlan x, AxisPlan y, int threads)
   x_rules_ = phased<T>(x_);
   y_rules_ = phased<T>(y_);
   reach_ = std::max(x_.reach(), y_.reach());
+  if (!detail) return;
+  // Made in any case, because it checks its numbers.
+  auto displacement = std::make_shared<const Displacement<T>>(*detail, x_, y_);
+  if (detail->relief > 0) displacement_ = std::move(displacement);
 }
 
 template <class T>
@@ -69,6 +73,7 @@ double Refiner<T>::working_bytes(Index band_rows) const {
   const std::vector<IndexRange> needed = y_.ranges_for({0, rows - 1});
   double samples = static_cast<double>(needed.front().count() + 4 * reach_ + 6) *
                    static_cast<double>(x_.input_count());
+  if (displacement_) samples *= 2;  // the relief of as many rows
   for (std::size_t level = 0; level < y_rules_.size(); ++level)
     samples += static_cast<double>(x_.ranges()[level].count()) *
                static_cast<double>(y_.rules()[level].symbol.coefficients().size() + 1);
@@ -109,8 +114,19 @@ template <class T>
 void Refiner<T>::refine_part(const RowSource<T>& source, Index first_row, GridView<T> part) const {
   if (part.rows() == 0) return;
   const IndexRange outputs{first_row, first_row + part.rows() - 1};
-  const InputWindow<T> input(source, y_.ranges_for(outputs).front(), boundaries(), reach_);
-  RowPipe<T> pipe(y_rules_, y_, x_rules_, x_, input, outputs);
+  IndexRange needed = y_.ranges_for(outputs).front();
+  IndexRange relief_rows;
+  if (displacement_) {
+    relief_rows = displacement_->relief_rows(outputs);
+    // The relief of a row looks at its neighbours.
+    needed.first = std::min(needed.first, relief_rows.first - 1);
+    needed.last = std::max(needed.last, relief_rows.last + 1);
+  }
+  const InputWindow<T> input(source, needed, boundaries(), reach_);
+  std::optional<LocalRelief<T>> relief;
+  if (displacement_) relief.emplace(input, boundaries(), relief_rows);
+  RowPipe<T> pipe(y_rules_, y_, x_rules_, x_, input, outputs,
+                  {displacement_.get(), relief ? &*relief : nullptr});
   for (Index r = 0; r < part.rows(); ++r) pipe.next(part.row(r));
   if (!input.complete()) clear_missing(input, first_row, part);
 }

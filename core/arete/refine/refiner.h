@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <optional>
 
 #include "arete/refine/axis_plan.h"
+#include "arete/refine/detail.h"
 #include "arete/refine/row_pipe.h"
 #include "arete/scheme/scheme.h"
 
@@ -21,6 +22,8 @@ struct RefineOptions {
   std::optional<Stencil> final_x{};
   std::optional<Stencil> final_y{};
   FinalResult final_result = FinalResult::samples;
+  /// Random displacement of every level; none when empty, or when its relief is 0.
+  std::optional<Detail> detail{};
 };
 
 /// Refines grids of one size by the tensor product of two 1-D schemes: all that does not depend on
@@ -33,12 +36,13 @@ struct RefineOptions {
 template <class T>
 class Refiner {
  public:
-  /// \throws InvalidField if the plans cannot be made (see AxisPlan).
+  /// \throws InvalidField if the plans cannot be made (see AxisPlan), or for numbers of the detail
+  /// outside their ranges.
   Refiner(const Scheme& x, const Scheme& y, Extent input, const RefineOptions& options);
   Refiner(const Scheme& scheme, Extent input, const RefineOptions& options)
       : Refiner(scheme, scheme, input, options) {}
   /// From ready plans; `boundaries` of the options are those of the plans.
-  Refiner(AxisPlan x, AxisPlan y, int threads = 1);
+  Refiner(AxisPlan x, AxisPlan y, int threads = 1, const std::optional<Detail>& detail = {});
 
   [[nodiscard]] Extent input() const { return {y_.input_count(), x_.input_count()}; }
   [[nodiscard]] Extent output() const { return {y_.output_count(), x_.output_count()}; }
@@ -68,6 +72,7 @@ class Refiner {
   Index reach_ = 0;
   std::vector<PhasedRule<T>> x_rules_;
   std::vector<PhasedRule<T>> y_rules_;
+  std::shared_ptr<const Displacement<T>> displacement_;  ///< null: no detail
 };
 
 /// How many threads this machine runs at once: what `threads = 0` means.

@@ -26,10 +26,11 @@ Index rows_at_hand(const PhasedRule<T>& rule) {
 template <class T>
 RowPipe<T>::RowPipe(const std::vector<PhasedRule<T>>& y_rules, const AxisPlan& y,
                     const std::vector<PhasedRule<T>>& x_rules, const AxisPlan& x,
-                    const InputWindow<T>& input, IndexRange outputs)
+                    const InputWindow<T>& input, IndexRange outputs, Hook detail)
     : y_rules_(y_rules),
       x_rules_(x_rules),
       input_(input),
+      detail_(detail),
       x_boundary_(x.boundary()),
       depth_(y_rules.size()),
       rings_(depth_),
@@ -95,6 +96,14 @@ void RowPipe<T>::read_input_row(Index row, T* out) {
 // Row `row` of level + 1 from the rows of `level`.
 template <class T>
 void RowPipe<T>::compute_row(std::size_t level, Index row, T* out) {
+  filter_row(level, row, out);
+  if (detail_.displacement == nullptr || !detail_.displacement->displaces(level)) return;
+  const IndexRange columns = level + 1 == depth_ ? result_columns_ : rings_[level + 1].columns;
+  detail_.displacement->add(level, row, columns, *detail_.relief, out, relief_line_);
+}
+
+template <class T>
+void RowPipe<T>::filter_row(std::size_t level, Index row, T* out) {
   const PhasedRule<T>& vertical = y_rules_[level];
   const Index q = floor_divide(row, vertical.arity);
   const PhaseStencil<T>& stencil =

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "arete/refine/axis_plan.h"
+#include "arete/refine/displacement.h"
 #include "arete/refine/input_window.h"
 
 namespace arete {
@@ -18,11 +19,17 @@ namespace arete {
 template <class T>
 class RowPipe {
  public:
-  /// A pipe for the results number `outputs` (rows, 0-based) of the plans, all columns. Plans,
-  /// rules and input must outlive it. Both axes have equally many levels (see `AxisRules`).
+  /// What is added between the levels; both null for none.
+  struct Hook {
+    const Displacement<T>* displacement = nullptr;
+    const LocalRelief<T>* relief = nullptr;
+  };
+
+  /// A pipe for the results number `outputs` (rows, 0-based) of the plans, all columns. All that is
+  /// given must outlive it. Both axes have equally many levels (AxisPlan::pad_levels).
   RowPipe(const std::vector<PhasedRule<T>>& y_rules, const AxisPlan& y,
           const std::vector<PhasedRule<T>>& x_rules, const AxisPlan& x, const InputWindow<T>& input,
-          IndexRange outputs);
+          IndexRange outputs, Hook detail = {});
 
   /// Writes the next result row (x.output_count() samples).
   void next(T* out);
@@ -43,10 +50,12 @@ class RowPipe {
   void advance(std::size_t level, Index row);
   void read_input_row(Index row, T* out);
   void compute_row(std::size_t level, Index row, T* out);
+  void filter_row(std::size_t level, Index row, T* out);
 
   const std::vector<PhasedRule<T>>& y_rules_;
   const std::vector<PhasedRule<T>>& x_rules_;
   const InputWindow<T>& input_;
+  Hook detail_;
   Boundary x_boundary_;
   std::size_t depth_;
   std::vector<Ring> rings_;  ///< levels 0..depth-1
@@ -56,6 +65,7 @@ class RowPipe {
   std::vector<T> phase_line_;   ///< one phase of a row after its horizontal filter
   std::vector<T> other_line_;
   std::vector<const T*> lines_;
+  std::vector<T> relief_line_;
 };
 
 }  // namespace arete
