@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
   cli::add_contour(program, job);
   cli::add_render(program, job);
   cli::add_generate(program, job);
+  cli::add_validate(program, job);
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1]))
     return complain("there is no verb '" + std::string(argv[1]) + "'; see 'arete --help'", 2);
   try {

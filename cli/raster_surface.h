@@ -19,7 +19,4 @@ template <class T>
   return surface;
 }
 
-/// The band with that number (from 1). \throws Misuse if there is none.
-[[nodiscard]] const gdal::BandInfo& find_band(const gdal::Raster& raster, int number);
-
 }  // namespace arete::cli

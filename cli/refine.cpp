@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// arete refine: a coarse raster in, a fine one (or a VTK file) out.
+// arete refine: a coarse raster or mesh in, a fine one (or a VTK file) out.
 #include <chrono>
 #include <iomanip>
 #include <iostream>
@@ -20,6 +20,10 @@
 #ifdef ARETE_HAVE_VTK
 #include "cli/refine_surface.h"
 #endif
+#ifdef ARETE_HAVE_OPENMESH
+#include "cli/refine_mesh.h"
+#include "cli/refine_raster_mesh.h"
+#endif
 
 namespace arete::cli {
 namespace {
@@ -34,7 +38,7 @@ struct RefineArguments {
   std::string align = "nodes";
   int threads = 0;
   std::string max_memory;
-  std::string type = "float32";
+  std::string type;
   std::vector<std::string> creation_options;
   int band = 1;
   bool limit = false;
@@ -55,10 +59,19 @@ bool is_surface_form(const std::string& form) {
   return form == ".vti" || form == ".vts" || form == ".vtp";
 }
 
+bool is_mesh_form(const std::string& form) {
+  return form == ".obj" || form == ".ply" || form == ".off" || form == ".stl";
+}
+
 void check_form(const std::string& output, const std::string& form) {
-  if (form != ".tif" && !is_surface_form(form))
+  if (form != ".tif" && !is_surface_form(form) && !is_mesh_form(form))
     throw Misuse(output + ": the format '" + form +
-                 "' is not one of .tif, .vti, .vts, .vtp; name the output so");
+                 "' is not one of .tif, .vti, .vts, .vtp, .obj, .ply, .off, .stl; name the output "
+                 "so");
+#ifndef ARETE_HAVE_OPENMESH
+  if (is_mesh_form(form))
+    throw Failure(output + ": this arete was built without OpenMesh; write a .tif or .vtp");
+#endif
 #ifndef ARETE_HAVE_VTK
   if (is_surface_form(form))
     throw Failure(output + ": this arete was built without VTK; write a .tif");
@@ -100,6 +113,32 @@ RefineOptions options_from(const RefineArguments& arguments, const Scheme& x, co
   return options;
 }
 
+#ifdef ARETE_HAVE_OPENMESH
+void refine_mesh(const RefineArguments& arguments) {
+  if (arguments.align != "nodes")
+    throw Misuse("--align cells is for rasters; the samples of a mesh are its vertices");
+  if (!arguments.creation_options.empty())
+    throw Misuse("--creation-option is for GeoTIFF; a mesh file has none");
+  if (arguments.roughness || arguments.relief || arguments.seed)
+    throw Misuse("--detail is for rasters; a mesh has no heights to displace");
+  if (arguments.band != 1) throw Misuse("--band is for rasters; a mesh has no bands");
+  MeshJob job{arguments.input, arguments.output, read_scheme(arguments.scheme),
+              read_scheme(arguments.scheme_y.empty() ? arguments.scheme : arguments.scheme_y)};
+  if (arguments.levels < 0)
+    throw Misuse("--levels " + std::to_string(arguments.levels) + " is negative");
+  job.options.levels = arguments.levels;
+  job.options.boundaries = parse_boundaries(arguments.boundary);
+  job.options.threads = arguments.threads;
+  job.options.on_limit = arguments.limit;
+  job.single_precision = arguments.type == "float32";
+  job.max_memory =
+      arguments.max_memory.empty() ? default_memory() : parse_memory_size(arguments.max_memory);
+  job.overwrite = arguments.overwrite;
+  job.json = arguments.json;
+  refine_mesh_file(job);
+}
+#endif
+
 void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
             const gdal::RasterReport& done, double seconds) {
   const double samples =
@@ -139,6 +178,12 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
 }
 
 void refine(const RefineArguments& arguments) {
+#ifdef ARETE_HAVE_OPENMESH
+  if (openmesh::is_mesh_file(arguments.input)) {
+    refine_mesh(arguments);
+    return;
+  }
+#endif
   const std::string form = extension_of(arguments.output);
   check_form(arguments.output, form);
   const Scheme x = read_scheme(arguments.scheme);
@@ -165,6 +210,12 @@ void refine(const RefineArguments& arguments) {
                                  {type, arguments.creation_options, memory},
                                  [&](double share) { progress.show(share); });
     }
+#ifdef ARETE_HAVE_OPENMESH
+    else if (is_mesh_form(form)) {
+      done = refine_to_mesh(input, arguments.band, output.temporary(), form.substr(1), x, y,
+                            options, type, memory, progress);
+    }
+#endif
 #ifdef ARETE_HAVE_VTK
     else {
       done = refine_to_surface(input, arguments.band, output.temporary(), form, x, y, options, type,
@@ -183,12 +234,16 @@ void refine(const RefineArguments& arguments) {
 
 void add_refine(CLI::App& program, Job& job) {
   CLI::App* verb = program.add_subcommand(
-      "refine", "Refine a raster into a GeoTIFF (.tif) or a VTK file (.vti, .vts, .vtp)");
+      "refine",
+      "Refine a raster into a GeoTIFF (.tif), a VTK file (.vti, .vts, .vtp) or a mesh of quads\n"
+      "(.obj, .ply, .off, .stl), or a mesh that is a grid into a mesh or a .vtp");
   auto a = std::make_shared<RefineArguments>();
-  verb->add_option("IN", a->input, "Any raster that GDAL reads")->required();
+  verb->add_option("IN", a->input, "Any raster that GDAL reads, or a mesh: .obj, .ply, .off, .stl")
+      ->required();
   verb->add_option(
           "OUT", a->output,
-          "The format follows the extension: .tif, .vti (heights), .vts or .vtp (geometry)")
+          "The format follows the extension: .tif, .vti (heights), .vts or .vtp (geometry), .obj, "
+          ".ply, .off, .stl")
       ->required();
   verb->add_option("--scheme", a->scheme,
                    "Scheme, e.g. gentle or four-point:omega=1/16 ('arete schemes' lists all)")
@@ -216,15 +271,16 @@ void add_refine(CLI::App& program, Job& job) {
       ->capture_default_str();
   verb->add_option("--max-memory", a->max_memory,
                    "Memory to hold at most, e.g. 800M (default: half of the machine's)");
-  verb->add_option("--type", a->type, "Arithmetic and samples of the result")
-      ->check(CLI::IsMember({"float32", "float64"}))
-      ->capture_default_str();
+  verb->add_option("--type", a->type,
+                   "Arithmetic and samples of the result (rasters: float32 unless told; meshes are "
+                   "computed in double, and written so unless told float32)")
+      ->check(CLI::IsMember({"float32", "float64"}));
   verb->add_option("--creation-option", a->creation_options,
                    "KEY=VALUE of GDAL's GTiff driver, may be repeated; the defaults are TILED=YES "
                    "COMPRESS=DEFLATE PREDICTOR=3 BIGTIFF=IF_SAFER")
       ->expected(1)
       ->take_all();
-  verb->add_option("--band", a->band, "Which band holds the heights (VTK files only)")
+  verb->add_option("--band", a->band, "Which band holds the heights (VTK and mesh files only)")
       ->capture_default_str();
   verb->add_flag("--overwrite", a->overwrite, "Replace OUT if it exists");
   verb->add_flag("--json", a->json, "Print one JSON object about what was done");

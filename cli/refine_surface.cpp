@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/refine_surface.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "arete/analysis/limit_stencil.h"
-#include "arete/gdal/band_source.h"
 #include "arete/vtk/write_image.h"
 #include "arete/vtk/write_polydata.h"
 #include "arete/vtk/write_structured_grid.h"
-#include "cli/error.h"
 #include "cli/memory_size.h"
+#include "cli/raster_band.h"
 #include "cli/raster_surface.h"
+#include "cli/refine_grid.h"
 
 namespace arete::cli {
 namespace {
@@ -20,22 +17,6 @@ namespace {
 double bytes_per_sample(const std::string& form) {
   if (form == ".vti") return 16;
   return form == ".vts" ? 80 : 140;
-}
-
-// Refines by bands so that progress shows and Ctrl-C is heard.
-template <class T>
-Grid<T> refine_with_progress(const Refiner<T>& refiner, GridView<const T> samples,
-                             ProgressBar& progress, double from, double to) {
-  Grid<T> result(refiner.output());
-  const GridSource<T> source(samples);
-  constexpr Index band = 512;
-  for (Index first = 0; first < result.rows(); first += band) {
-    const Index rows = std::min(band, result.rows() - first);
-    refiner.refine_rows(source, first, GridView<T>(result.row(first), {rows, result.cols()}));
-    progress.show(from + (to - from) * static_cast<double>(first + rows) /
-                             static_cast<double>(result.rows()));
-  }
-  return result;
 }
 
 struct GradientGrids {
@@ -90,11 +71,7 @@ gdal::RasterReport refine_as(const gdal::Raster& input, int band,
   const Grid<T> coarse = gdal::read_band<T>(input, find_band(input, band));
   const Grid<T> heights =
       refine_with_progress(refiner, coarse.view(), progress, 0, form == ".vti" ? 0.7 : 0.3);
-  if (std::none_of(heights.samples().begin(), heights.samples().end(),
-                   [](T value) { return std::isfinite(value); }))
-    throw Failure(input.path() +
-                  " has no valid result: no four neighbouring samples are all "
-                  "valid; check its nodata value with gdalinfo");
+  check_any_valid(input, heights);
 
   vtk::Surface surface = raster_surface<T>(input, refined(input.place(), refiner), heights.view());
   surface.notes = {{"arete_scheme", x.text()},

@@ -11,6 +11,7 @@
 #include "cli/error.h"
 #include "cli/interruption.h"
 #include "cli/output_file.h"
+#include "cli/raster_band.h"
 #include "cli/raster_surface.h"
 #include "cli/scheme_json.h"
 #include "cli/verb.h"

@@ -24,5 +24,6 @@ void add_restore(CLI::App& program, Job& job);
 void add_contour(CLI::App& program, Job& job);
 void add_render(CLI::App& program, Job& job);
 void add_generate(CLI::App& program, Job& job);
+void add_validate(CLI::App& program, Job& job);
 
 }  // namespace arete::cli

@@ -16,3 +16,7 @@ run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR}
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
 run(${WORK}/prefix/bin/arete --version)
+# It finds its data wherever it was moved.
+if("gdal" IN_LIST COMPONENTS AND "opensubdiv" IN_LIST COMPONENTS)
+  run(${WORK}/prefix/bin/arete validate --levels 1)
+endif()

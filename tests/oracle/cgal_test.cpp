@@ -7,6 +7,7 @@
 
 #include "arete/cgal/catmull_clark.h"
 #include "arete/opensubdiv/catmull_clark.h"
+#include "arete/refine/free_corners.h"
 #include "arete/refine/refiner.h"
 #include "support/fields.h"
 #include "support/schemes.h"
@@ -29,6 +30,18 @@ TEST(cgal, catmull_clark_is_that_of_opensubdiv_with_smooth_corners) {
         difference = std::max(difference, std::abs(a.samples()[i] - b.samples()[i]));
       EXPECT_LE(difference, 1e-14) << extent.rows << " x " << extent.cols << ", level " << level;
     }
+  }
+}
+
+TEST(cgal, is_the_grid_with_free_corners_everywhere) {
+  Grid<double> heights = test::random_heights({14, 9});
+  for (double& h : heights.samples()) h = (h + 100) / 1000;
+  for (int level = 1; level <= 3; ++level) {
+    const Grid<double> ours = refine_free_corners(heights, level);
+    const Grid<double> theirs = cgal::catmull_clark(heights, level);
+    ASSERT_EQ(ours.extent(), theirs.extent());
+    for (std::size_t i = 0; i < ours.samples().size(); ++i)
+      ASSERT_NEAR(ours.samples()[i], theirs.samples()[i], 1e-14) << level;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <cmath>
 
+#include "arete/openmesh/catmull_clark.h"
 #include "arete/opensubdiv/catmull_clark.h"
 #include "support/fields.h"
 #include "topology/meshes.h"
@@ -61,6 +62,23 @@ TEST(openmesh, the_default_subdivider_is_opensubdiv_on_the_whole_grid) {
   }
 }
 
+// New vertices of OpenMesh 9's CatmullClarkT are made without their properties: what was in the
+// memory before them is their texture coordinate.
+TEST(openmesh, catmull_clark_of_openmesh_leaves_texture_coordinates_unset) {
+  PolyMesh mesh = mesh_of(test::dyadic_heights({4, 4}), 1);
+  mesh.request_vertex_texcoords2D();
+  for (auto v : mesh.vertices()) mesh.set_texcoord2D(v, {0, 0});
+  auto& texcoords = mesh.property(mesh.vertex_texcoords2D_pph()).data_vector();
+  const std::size_t old = texcoords.size();
+  texcoords.resize(1000, {123, 456});
+  texcoords.resize(old);
+  OpenMesh::Subdivider::Uniform::CatmullClarkT<PolyMesh> catmull_clark;
+  ASSERT_TRUE(catmull_clark(mesh, 1));
+  for (std::size_t v = old; v < mesh.n_vertices(); ++v)
+    EXPECT_EQ(texcoords[v], PolyMesh::TexCoord2D(123, 456))
+        << "the finding no longer holds: OpenMesh sets texture coordinates";
+}
+
 // OpenMesh 9's CatmullClarkT uses (V + m1 + m2) / 3 for a vertex of the rim, that is the mask
 // [1, 3, 4, 3, 1] / 6, where Catmull-Clark has [1, 4, 6, 4, 1] / 8: its rim is no cubic B-spline.
 // So it agrees inside and must not be used as a reference at the rim.
@@ -75,11 +93,14 @@ TEST(openmesh, catmull_clark_of_openmesh_agrees_inside_and_has_another_rim) {
     ASSERT_TRUE(catmull_clark(theirs, static_cast<std::size_t>(level)));
     const Grid<double> a = heights_of(ours);
     const Grid<double> b = heights_of(theirs);
+    const Grid<double> adapter = openmesh::catmull_clark(heights, level);
+    ASSERT_EQ(adapter.extent(), b.extent());
     ASSERT_EQ(a.extent(), b.extent());
     const Index inside = Index{2} << level;
     double rim = 0;
     for (Index r = 0; r < a.rows(); ++r) {
       for (Index c = 0; c < a.cols(); ++c) {
+        EXPECT_NEAR(adapter(r, c), b(r, c), 1e-12);
         const double difference = std::abs(a(r, c) - b(r, c));
         const Index depth = std::min({r, c, a.rows() - 1 - r, a.cols() - 1 - c});
         if (depth >= inside) {

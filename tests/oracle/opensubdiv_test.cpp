@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "arete/opensubdiv/catmull_clark.h"
+#include "arete/refine/free_corners.h"
 #include "arete/refine/refiner.h"
 #include "support/fields.h"
 #include "support/schemes.h"
@@ -75,6 +76,19 @@ TEST(opensubdiv, smooth_corners_change_nothing_but_the_corners) {
         EXPECT_EQ(at_corners, 4);
         EXPECT_EQ(theirs(0, 0), (6 * heights(0, 0) + heights(0, 1) + heights(1, 0)) / 8);
       }
+    }
+  }
+}
+
+TEST(opensubdiv, free_corners_are_smooth_corners_on_the_whole_grid) {
+  for (Extent extent : sizes) {
+    const Grid<double> heights = test::dyadic_heights(extent, 12);
+    for (int level = 0; level <= 3; ++level) {
+      const Grid<double> ours = refine_free_corners(heights, level);
+      const Grid<double> theirs = catmull_clark(heights, level, CornerRule::smooth);
+      ASSERT_EQ(ours.extent(), theirs.extent());
+      EXPECT_EQ(differences(ours, theirs), 0)
+          << extent.rows << " x " << extent.cols << ", level " << level;
     }
   }
 }

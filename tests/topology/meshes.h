@@ -121,6 +121,17 @@ inline Mesh without_faces(const Mesh& mesh, const std::vector<int>& removed) {
   return result;
 }
 
+/// The mesh with every face turned over.
+inline Mesh turned_over(const Mesh& mesh) {
+  Mesh over{mesh.points, {}};
+  for (int f = 0; f < mesh.faces.count(); ++f) {
+    std::vector<int> face(mesh.faces[f].begin(), mesh.faces[f].end());
+    std::reverse(face.begin(), face.end());
+    over.faces.add(face);
+  }
+  return over;
+}
+
 /// Whether the corners of face f, from some corner on, are these.
 inline bool runs(const FaceList& faces, int f, std::vector<int> corners) {
   const auto face = faces[f];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "arete/topology/recover.h"
 
-#include <algorithm>
 #include <string>
 
 #include "arete/topology/half_edges.h"
@@ -13,27 +12,30 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<std::vector<int>> components(const HalfEdges& mesh) {
-  std::vector<std::vector<int>> found;
   const int faces = mesh.faces().count();
-  std::vector<bool> seen(at(faces), false);
+  std::vector<int> component_of(at(faces), -1);
+  std::vector<int> reached;
+  int found = 0;
   for (int seed = 0; seed < faces; ++seed) {
-    if (seen[at(seed)]) continue;
-    std::vector<int>& component = found.emplace_back(1, seed);
-    seen[at(seed)] = true;
-    for (std::size_t i = 0; i < component.size(); ++i) {
-      const int begin = mesh.faces().starts[at(component[i])];
-      const int end = mesh.faces().starts[at(component[i]) + 1];
+    if (component_of[at(seed)] >= 0) continue;
+    component_of[at(seed)] = found;
+    reached.assign(1, seed);
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const int begin = mesh.faces().starts[at(reached[i])];
+      const int end = mesh.faces().starts[at(reached[i]) + 1];
       for (int h = begin; h < end; ++h) {
         if (mesh.twin(h) < 0) continue;
         const int neighbour = mesh.face(mesh.twin(h));
-        if (seen[at(neighbour)]) continue;
-        seen[at(neighbour)] = true;
-        component.push_back(neighbour);
+        if (component_of[at(neighbour)] >= 0) continue;
+        component_of[at(neighbour)] = found;
+        reached.push_back(neighbour);
       }
     }
-    std::sort(component.begin(), component.end());
+    ++found;
   }
-  return found;
+  std::vector<std::vector<int>> components(at(found));
+  for (int f = 0; f < faces; ++f) components[at(component_of[at(f)])].push_back(f);
+  return components;
 }
 
 }  // namespace

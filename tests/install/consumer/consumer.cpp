@@ -8,6 +8,12 @@
 #ifdef WITH_VTK
 #include <arete/vtk/write_image.h>
 #endif
+#ifdef WITH_OPENMESH
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+
+#include <arete/openmesh/grid_subdivider.h>
+#include <arete/openmesh/mesh_io.h>
+#endif
 #ifdef WITH_OPENSUBDIV
 #include <arete/opensubdiv/catmull_clark.h>
 #endif
@@ -31,6 +37,29 @@ int main() {
     return 3;
   } catch (const std::exception&) {
   }
+#endif
+#ifdef WITH_OPENMESH
+  using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+  Mesh mesh;
+  mesh.request_vertex_normals();
+  for (int i = 0; i < 6; ++i)
+    mesh.add_vertex({static_cast<float>(i % 3), static_cast<float>(i / 3), 0});
+  const auto v = [](int i) { return Mesh::VertexHandle(i); };
+  mesh.add_face(v(0), v(1), v(4), v(3));
+  mesh.add_face(v(1), v(2), v(5), v(4));
+  arete::openmesh::GridSubdividerT<Mesh> subdivide("four-point");
+  if (!subdivide(mesh, 2) || mesh.n_vertices() != 5 * 9) return 4;
+  if (mesh.normal(v(0)) != Mesh::Normal(0, 0, 1)) return 5;
+  try {
+    (void)arete::openmesh::read_mesh("/absent.obj");
+    return 6;
+  } catch (const arete::openmesh::MeshFileError&) {
+  }
+#endif
+#ifdef WITH_OPENSUBDIV
+  const arete::Grid<double> flat({3, 3}, 3);
+  if (arete::opensubdiv::catmull_clark(flat, 1, arete::opensubdiv::CornerRule::sharp)(2, 2) != 3)
+    return 7;
 #endif
   return 0;
 }

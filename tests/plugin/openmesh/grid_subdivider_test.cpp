@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arete/openmesh/grid_subdivider.h"
 
+#include "arete/openmesh/internal/edge_store.h"
 #include "plugin/openmesh/host_mesh.h"
 #include "support/schemes.h"
 
@@ -290,6 +291,96 @@ TEST(openmesh, threads_do_not_change_a_bit) {
   subdivide.set_threads(4);
   ASSERT_TRUE(subdivide(many, 3));
   EXPECT_EQ(test::plain(one).points, test::plain(many).points);
+  EXPECT_EQ(test::plain(one).faces.corners, test::plain(many).faces.corners);
+  test::expect_sound(many);
+}
+
+TEST(openmesh, grids_of_every_small_size_come_out_sound) {
+  for (Index rows = 2; rows <= 7; ++rows) {
+    for (Index cols = 2; cols <= 7; ++cols) {
+      std::vector<Mesh> meshes{test::terrain_mesh(rows, cols)};
+      if (cols >= 3) meshes.push_back(test::tube_mesh(rows, cols));
+      if (rows >= 3 && cols >= 3) meshes.push_back(test::torus_mesh(rows, cols));
+      for (const Mesh& plain : meshes) {
+        for (const bool turned : {false, true}) {
+          PolyMesh mesh;
+          test::fill(mesh, turned ? test::turned_over(plain) : plain);
+          GridSubdividerT<PolyMesh> subdivide("four-point");
+          ASSERT_TRUE(subdivide(mesh, 1));
+          test::expect_sound(mesh);
+          const Mesh fine = test::plain(mesh);
+          EXPECT_EQ(test::oriented_patches(fine).size(), 1u) << rows << " x " << cols;
+        }
+      }
+    }
+  }
+}
+
+TEST(openmesh, edges_written_whole_are_those_the_setters_make) {
+  ASSERT_TRUE(openmesh::detail::EdgeStore::direct_is_right())
+      << "OpenMesh has another layout: refinement still works, but slower";
+  PolyMesh whole;
+  test::fill(whole, test::torus_mesh(4, 5));
+  PolyMesh set = whole;
+  openmesh::detail::EdgeStore direct(whole, true);
+  openmesh::detail::EdgeStore setters(set, false);
+  for (auto e : whole.edges()) {
+    const auto fields = [&](unsigned i) {
+      const auto h = whole.halfedge_handle(e, i);
+      return openmesh::detail::HalfEdgeFields{
+          whole.face_handle(h).idx(), whole.to_vertex_handle(h).idx(),
+          whole.next_halfedge_handle(h).idx(), whole.prev_halfedge_handle(h).idx()};
+    };
+    direct.write(e.idx(), fields(0), fields(1));
+    setters.write(e.idx(), fields(0), fields(1));
+  }
+  test::expect_sound(whole);
+  test::expect_sound(set);
+  EXPECT_EQ(test::plain(whole).faces.corners, test::plain(set).faces.corners);
+}
+
+TEST(openmesh, a_mesh_of_half_a_million_vertices_is_sound_and_right) {
+  // Larger than one band of rows and than a large memory page.
+  const Mesh terrain = test::terrain_mesh(36, 50);
+  PolyMesh mesh;
+  test::fill(mesh, terrain);
+  GridSubdividerT<PolyMesh> subdivide("gentle");
+  subdivide.set_threads(2);
+  ASSERT_TRUE(subdivide(mesh, 4));
+  EXPECT_EQ(mesh.n_vertices(), 561u * 785u);
+  std::ostringstream complaints;
+  EXPECT_TRUE(OpenMesh::Utils::MeshCheckerT<PolyMesh>(mesh).check(
+      OpenMesh::Utils::MeshCheckerT<PolyMesh>::CHECK_ALL, complaints))
+      << complaints.str();
+  expect_planes(test::plain(mesh), by_engine(terrain, parse_scheme("gentle"), 4), "gentle");
+}
+
+TEST(openmesh, vertices_can_be_put_on_the_limit_surface) {
+  // The limit at the same place does not depend on the level it is asked at.
+  const Mesh terrain = test::terrain_mesh(6, 7);
+  const Scheme scheme = parse_scheme("b-spline:degree=3");
+  PolyMesh coarse, fine;
+  test::fill(coarse, terrain);
+  test::fill(fine, terrain);
+  GridSubdividerT<PolyMesh> subdivide(scheme);
+  subdivide.set_on_limit(true);
+  ASSERT_TRUE(subdivide(coarse, 1));
+  ASSERT_TRUE(subdivide(fine, 3));
+  for (int v = 0; v < terrain.vertices(); ++v) {
+    const PolyMesh::VertexHandle handle(v);
+    EXPECT_LT((coarse.point(handle) - fine.point(handle)).norm(), 1e-13);
+  }
+  EXPECT_GT(
+      (coarse.point(PolyMesh::VertexHandle(9)) - OpenMesh::Vec3d(terrain.points[9].data())).norm(),
+      0.01);
+
+  PolyMesh refused;
+  test::fill(refused, terrain);
+  GridSubdividerT<PolyMesh> divergent("mask:arity=2,first=-1,coefficients=2;1;-1;0");
+  divergent.set_on_limit(true);
+  const test::Complaints complaints;
+  EXPECT_FALSE(divergent(refused, 1));
+  EXPECT_NE(complaints.text().find("no certified limit"), std::string::npos) << complaints.text();
 }
 
 TEST(openmesh, strips_and_single_quads_are_grids_too) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -92,6 +93,83 @@ TEST(openmesh_io, colours_and_texcoords_survive) {
   back = openmesh::read_mesh(scratch("b.obj"));
   EXPECT_EQ(back.corner_texcoords, data.corner_texcoords);
   for (const char* name : {"b.ply", "b.off", "b.obj"}) std::filesystem::remove(scratch(name));
+}
+
+TEST(openmesh_io, normals_survive_and_are_made_anew_by_refinement) {
+  MeshData data = terrain();
+  for (std::size_t v = 0; v < data.points.size(); ++v)
+    data.normals.push_back({0.25f * static_cast<float>(v), 0, 1});
+  for (const char* name : {"n.obj", "n.ply", "n.off"}) {
+    openmesh::write_mesh(scratch(name), data);
+    EXPECT_EQ(openmesh::read_mesh(scratch(name)).normals, data.normals) << name;
+    std::filesystem::remove(scratch(name));
+  }
+  const Scheme scheme = parse_scheme("gentle");
+  const MeshData fine = openmesh::refine_mesh(data, scheme, scheme, {});
+  ASSERT_EQ(fine.normals.size(), fine.points.size());
+  for (const auto& n : fine.normals) EXPECT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 1e-6);
+  EXPECT_TRUE(openmesh::refine_mesh(terrain(), scheme, scheme, {}).normals.empty());
+  EXPECT_EQ(openmesh::refine_mesh(data, scheme, scheme, {.levels = 0}).normals, data.normals);
+}
+
+TEST(openmesh_io, texture_coordinates_of_corners_go_where_the_format_has_a_place) {
+  MeshData data = terrain();
+  for (int v : data.faces.corners) {
+    const Point3& p = data.points[static_cast<std::size_t>(v)];
+    data.corner_texcoords.push_back({static_cast<float>(p[0]), static_cast<float>(p[1])});
+  }
+  EXPECT_TRUE(openmesh::is_seamless(data));
+  openmesh::write_mesh(scratch("w.ply"), data);
+  EXPECT_EQ(openmesh::read_mesh(scratch("w.ply")).corner_texcoords, data.corner_texcoords);
+  openmesh::write_mesh(scratch("w.off"), data);
+  const MeshData back = openmesh::read_mesh(scratch("w.off"));
+  for (std::size_t v = 0; v < back.points.size(); ++v)
+    EXPECT_EQ(back.texcoords.at(v)[0], static_cast<float>(back.points[v][0]));
+  data.corner_texcoords[5] = {7, 7};
+  EXPECT_FALSE(openmesh::is_seamless(data));
+  openmesh::write_mesh(scratch("w.off"), data);
+  EXPECT_TRUE(openmesh::read_mesh(scratch("w.off")).texcoords.empty());
+  std::filesystem::remove(scratch("w.ply"));
+  std::filesystem::remove(scratch("w.off"));
+}
+
+TEST(openmesh_io, comments_single_precision_and_progress) {
+  openmesh::MeshOutput output;
+  output.comments = {"metres east\nand north"};
+  output.single_precision = true;
+  double told = 0;
+  output.progress = [&](double share) { told = share; };
+  for (const char* name : {"c.obj", "c.ply", "c.off"}) {
+    openmesh::write_mesh(scratch(name), terrain(), output);
+    EXPECT_EQ(told, 1) << name;
+    const MeshData back = openmesh::read_mesh(scratch(name));
+    EXPECT_EQ(back.faces.count(), 12) << name;
+    for (std::size_t v = 0; v < back.points.size(); ++v)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(static_cast<float>(back.points[v][k]),
+                  static_cast<float>(terrain().points[v][k]))
+            << name;
+    std::ifstream stream(scratch(name), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NE(bytes.find(" metres east and north\n"), std::string::npos) << name;
+    std::filesystem::remove(scratch(name));
+  }
+}
+
+TEST(openmesh_io, the_size_is_known_before_and_a_vertex_that_is_not_finite_is_named) {
+  MeshData data = terrain();
+  const Scheme scheme = parse_scheme("chaikin");
+  const auto size = openmesh::refined_size(data, scheme, scheme, {.levels = 2});
+  const MeshData fine = openmesh::refine_mesh(data, scheme, scheme, {.levels = 2});
+  EXPECT_EQ(size.vertices, static_cast<double>(fine.points.size()));
+  EXPECT_EQ(size.faces, fine.faces.count());
+  ASSERT_EQ(size.patches.size(), 1u);
+  EXPECT_EQ(size.patches[0].coarse, (Extent{4, 5}));
+  EXPECT_EQ(size.patches[0].fine.rows * size.patches[0].fine.cols, std::ssize(fine.points));
+  data.points[7][1] = std::nan("");
+  EXPECT_NE(
+      message([&] { (void)openmesh::refine_mesh(data, scheme, scheme, {}); }).find("vertex 7"),
+      std::string::npos);
 }
 
 TEST(openmesh_io, ply_properties_nobody_knows_are_skipped) {
@@ -217,7 +295,7 @@ TEST(openmesh_io, errors_name_the_file_and_the_remedy) {
 }
 
 TEST(openmesh_io, a_format_may_be_named_for_another_file_name) {
-  openmesh::write_mesh(scratch("e.tmp"), terrain(), "ply");
+  openmesh::write_mesh(scratch("e.tmp"), terrain(), {.format = "ply"});
   std::filesystem::rename(scratch("e.tmp"), scratch("e.ply"));
   EXPECT_EQ(openmesh::read_mesh(scratch("e.ply")).points, terrain().points);
   std::filesystem::remove(scratch("e.ply"));

@@ -81,15 +81,7 @@ TEST(openmesh_normals, look_where_the_faces_look) {
   for (const char* name : {"four-point", "chaikin", "craggy"}) {
     for (Mesh plain : {test::terrain_mesh(5, 6), test::tube_mesh(4, 9), test::torus_mesh(7, 9)}) {
       for (bool turned : {false, true}) {
-        if (turned) {
-          Mesh over{plain.points, {}};
-          for (int f = 0; f < plain.faces.count(); ++f) {
-            std::vector<int> face(plain.faces[f].begin(), plain.faces[f].end());
-            std::reverse(face.begin(), face.end());
-            over.faces.add(face);
-          }
-          plain = over;
-        }
+        if (turned) plain = test::turned_over(plain);
         PolyMesh mesh;
         test::fill(mesh, test::shuffled(plain, 7));
         mesh.request_face_normals();

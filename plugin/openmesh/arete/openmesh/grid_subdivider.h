@@ -97,6 +97,9 @@ class GridSubdividerT : public ::OpenMesh::Subdivider::Uniform::SubdividerT<Mesh
     if (along_rows != along_cols) name_ += " x " + along_cols.text();
     stencils_known_ = false;
   }
+  /// Whether the new vertices lie on the limit surface instead of on its approximation by the last
+  /// level. For schemes with a certified limit; others are refused.
+  void set_on_limit(bool on_limit) { on_limit_ = on_limit; }
   /// x: the rims at the ends of the rows, y: those at the ends of the columns.
   void set_boundaries(Boundaries boundaries) { boundaries_ = boundaries; }
   [[nodiscard]] AttributeRules& rules() { return rules_; }
@@ -169,8 +172,9 @@ class GridSubdividerT : public ::OpenMesh::Subdivider::Uniform::SubdividerT<Mesh
     const std::vector<Point3> old_positions = positions(mesh);
     std::vector<GridPatch> patches;
     for (const GridPatch& patch : *patches_) patches.push_back(oriented(patch, old_positions));
-    const detail::RebuildOptions options{*along_rows_, *along_cols_, boundaries_,
-                                         static_cast<int>(std::min<std::size_t>(levels, 64))};
+    const detail::RebuildOptions options =
+        detail::rebuild_options(*along_rows_, *along_cols_, boundaries_,
+                                static_cast<int>(std::min<std::size_t>(levels, 64)), on_limit_);
     const detail::Rebuild rebuild =
         detail::plan_rebuild(std::move(patches), static_cast<int>(mesh.n_vertices()), options);
     const AttributeRule points_rule = update_points ? rules_.points : AttributeRule::linear;
@@ -196,7 +200,7 @@ class GridSubdividerT : public ::OpenMesh::Subdivider::Uniform::SubdividerT<Mesh
     detail::refine_edge_attributes(mesh, rebuild, skipped);
     detail::refine_face_attributes(mesh, rebuild, skipped);
 
-    detail::build_connectivity(mesh, rebuild);
+    detail::build_connectivity(mesh, rebuild, threads_);
     detail::refine_vertex_values(rebuild, evaluators, points_rule, {}, old_points,
                                  points.data_vector());
     for (const detail::Job& job : jobs) job();
@@ -286,6 +290,7 @@ class GridSubdividerT : public ::OpenMesh::Subdivider::Uniform::SubdividerT<Mesh
   std::string name_;
   Boundaries boundaries_;
   AttributeRules rules_;
+  bool on_limit_ = false;
   int threads_ = 1;
   std::optional<std::vector<GridPatch>> patches_;
   std::uint64_t fingerprint_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arete/openmesh/mesh_io.h"
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <iterator>
@@ -13,13 +14,13 @@ namespace {
 struct Format {
   std::string extension;
   MeshData (*parse)(std::string_view);
-  std::string (*print)(const MeshData&);
+  void (*write)(const MeshData&, detail::Output&);
 };
 
-const Format formats[]{{"obj", detail::parse_obj, detail::obj_text},
-                       {"ply", detail::parse_ply, detail::ply_bytes},
-                       {"off", detail::parse_off, detail::off_text},
-                       {"stl", detail::parse_stl, detail::stl_bytes}};
+const Format formats[]{{"obj", detail::parse_obj, detail::write_obj},
+                       {"ply", detail::parse_ply, detail::write_ply},
+                       {"off", detail::parse_off, detail::write_off},
+                       {"stl", detail::parse_stl, detail::write_stl}};
 
 std::string lower_extension(const std::string& path) {
   const auto dot = path.find_last_of("./\\");
@@ -59,14 +60,38 @@ MeshData read_mesh(const std::string& path) {
   }
 }
 
-void write_mesh(const std::string& path, const MeshData& mesh, const std::string& extension) {
-  const Format& format = format_of(path, extension.empty() ? lower_extension(path) : extension);
-  const std::string bytes = format.print(mesh);
+void write_mesh(const std::string& path, const MeshData& mesh, const MeshOutput& output) {
+  const Format& format =
+      format_of(path, output.format.empty() ? lower_extension(path) : output.format);
   std::ofstream stream(path, std::ios::binary);
   if (!stream) throw MeshFileError("cannot write '" + path + "'; check the folder and its rights");
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const std::size_t records = mesh.points.size() + static_cast<std::size_t>(mesh.faces.count()) +
+                              mesh.texcoords.size() + mesh.corner_texcoords.size() +
+                              mesh.normals.size();
+  detail::Output out(records, output, [&](std::string_view piece, double share) {
+    stream.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+    if (!stream) throw MeshFileError("cannot write '" + path + "'; is the disk full?");
+    if (output.progress) output.progress(std::min(share, 1.0));
+  });
+  format.write(mesh, out);
+  out.flush();
   stream.close();
   if (!stream) throw MeshFileError("cannot write '" + path + "'; is the disk full?");
+}
+
+std::vector<std::array<float, 2>> vertex_texcoords(const MeshData& mesh) {
+  std::vector<std::array<float, 2>> texcoords(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.corner_texcoords.size(); ++i)
+    texcoords[static_cast<std::size_t>(mesh.faces.corners[i])] = mesh.corner_texcoords[i];
+  return texcoords;
+}
+
+bool is_seamless(const MeshData& mesh) {
+  const auto texcoords = vertex_texcoords(mesh);
+  for (std::size_t i = 0; i < mesh.corner_texcoords.size(); ++i)
+    if (texcoords[static_cast<std::size_t>(mesh.faces.corners[i])] != mesh.corner_texcoords[i])
+      return false;
+  return true;
 }
 
 }  // namespace arete::openmesh

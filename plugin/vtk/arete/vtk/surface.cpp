@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arete/field/local_plane.h"
+
 namespace arete::vtk {
 namespace {
 
@@ -66,16 +68,7 @@ void check_geometry(const Surface& surface) {
   if (!(std::abs(area) > 1e-12 * std::hypot(g[1], g[4]) * std::hypot(g[2], g[5]))) {
     throw InvalidField("the georeference maps the raster onto a line; give it two directions");
   }
-  if (surface.coordinates == Coordinates::geographic) {
-    const double latitude = surface.georeference
-                                .position(static_cast<double>(extent.rows - 1) / 2,
-                                          static_cast<double>(extent.cols - 1) / 2)
-                                .y;
-    if (!(std::abs(latitude) < 89.9)) {
-      throw InvalidField("the raster's centre lies at latitude " + std::to_string(latitude) +
-                         "; project it to a plane (gdalwarp -t_srs) first");
-    }
-  }
+  (void)local_plane(surface.georeference, extent, surface.coordinates == Coordinates::geographic);
   if (!any_valid(surface)) throw InvalidField("no sample of this surface is valid");
 }
 

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "arete/openmesh/internal/edge_store.h"
+#include "arete/openmesh/internal/large_pages.h"
+#include "arete/refine/for_each_band.h"
+
 namespace arete::openmesh::detail {
 namespace {
 
@@ -10,6 +14,8 @@ using OpenMesh::ArrayKernel;
 using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
+
+constexpr Index band_rows = 64;
 
 // Writes one patch in the frame in which faces run (r, b), (r, b+1), (r+1, b+1), (r+1, b): the
 // patch's own columns, or in a mirrored patch the columns from the other end.
@@ -20,6 +26,7 @@ class PatchWriter {
  public:
   PatchWriter(ArrayKernel& mesh, const RefinedPatch& patch)
       : mesh_(mesh),
+        edges_(mesh),
         patch_(patch),
         rows_(patch.rows.fine()),
         cols_(patch.cols.fine()),
@@ -29,23 +36,52 @@ class PatchWriter {
         wraps_rows_(patch.rows.wraps),
         wraps_cols_(patch.cols.wraps) {}
 
-  void write() {
+  /// Rows can be written in any order, also at the same time; the rim comes last.
+  void write_rows(Index first, Index count) {
     std::vector<int> vertices(static_cast<std::size_t>(cols_));
     std::vector<int> next_vertices(vertices.size());
-    std::vector<int> first_vertices;
-    read_vertices(0, vertices);
-    first_vertices = vertices;
-    for (Index r = 0; r < rows_; ++r) {
-      if (r + 1 < rows_)
-        read_vertices(r + 1, next_vertices);
-      else if (wraps_rows_)
-        next_vertices = first_vertices;
-      write_edges(r, vertices, next_vertices);
-      if (r < cell_rows_) write_cells(r, vertices, next_vertices);
+    read_vertices(first, vertices);
+    for (Index r = first; r < first + count; ++r) {
+      if (r + 1 < rows_ || wraps_rows_) read_vertices(row_after(r), next_vertices);
+      if (patch_.triangles()) {
+        write_edges(r, vertices, next_vertices);
+        if (r < cell_rows_) write_cells(r, vertices, next_vertices);
+      } else {
+        write_quad_row(r, vertices, next_vertices);
+      }
       write_vertices(r, vertices);
       vertices.swap(next_vertices);
     }
-    write_rim();
+  }
+
+  // The loop of half-edges without a face, or the two loops of a tube.
+  void write_rim() {
+    const Index last_row = rows_ - 1;
+    const Index last_col = cols_ - 1;
+    const auto rim = [&](HalfedgeHandle from, HalfedgeHandle to) {
+      mesh_.set_boundary(from);
+      mesh_.set_next_halfedge_handle(from, to);
+    };
+    if (!wraps_rows_) {
+      for (Index b = 0; b < cell_cols_; ++b) {
+        rim(west(0, b), b > 0         ? west(0, b - 1)
+                        : wraps_cols_ ? west(0, cell_cols_ - 1)
+                                      : north(0, 0));
+        rim(east(last_row, b), b + 1 < cell_cols_ ? east(last_row, b + 1)
+                               : wraps_cols_      ? east(last_row, 0)
+                                                  : south(cell_rows_ - 1, last_col));
+      }
+    }
+    if (!wraps_cols_) {
+      for (Index r = 0; r < cell_rows_; ++r) {
+        rim(north(r, 0), r + 1 < cell_rows_ ? north(r + 1, 0)
+                         : wraps_rows_      ? north(0, 0)
+                                            : east(last_row, 0));
+        rim(south(r, last_col), r > 0         ? south(r - 1, last_col)
+                                : wraps_rows_ ? south(cell_rows_ - 1, last_col)
+                                              : west(0, cell_cols_ - 1));
+      }
+    }
   }
 
  private:
@@ -59,7 +95,9 @@ class PatchWriter {
     return wraps_cols_ ? (2 * cols_ - 2 - b) % cols_ : cell_cols_ - 1 - b;
   }
   [[nodiscard]] Index row_after(Index r) const { return r + 1 < rows_ ? r + 1 : 0; }
+  [[nodiscard]] Index row_before(Index r) const { return r > 0 ? r - 1 : rows_ - 1; }
   [[nodiscard]] Index after(Index b) const { return b + 1 < cols_ ? b + 1 : 0; }
+  [[nodiscard]] Index before(Index b) const { return b > 0 ? b - 1 : cols_ - 1; }
 
   [[nodiscard]] HalfedgeHandle east(Index r, Index b) const {
     return HalfedgeHandle(2 * patch_.edge_along_row(r, cell(b)));
@@ -72,6 +110,90 @@ class PatchWriter {
   }
   [[nodiscard]] HalfedgeHandle south(Index r, Index b) const {
     return HalfedgeHandle(2 * patch_.edge_to_next_row(r, column(b)) + 1);
+  }
+
+  // The edges along row r and those from it to the next row, each once and whole.
+  void write_quad_row(Index r, const std::vector<int>& vertices, const std::vector<int>& next) {
+    const bool over = r < cell_rows_;
+    const bool under = wraps_rows_ || r > 0;
+    for (Index b = 0; b < cell_cols_; ++b) {
+      // Between the ends everything is a fixed step on.
+      if (b == 1 && over && under && cell_cols_ > 3) b = write_between(r, vertices, next);
+      write_along(r, b, over, under, vertices);
+    }
+    if (!over) return;
+    for (Index c = 0; c < cell_cols_; ++c)
+      mesh_.set_halfedge_handle(FaceHandle(patch_.face(r, c)),
+                                HalfedgeHandle(2 * patch_.edge_along_row(r, c)));
+    for (Index b = 0; b < cols_; ++b) {
+      if (b == 1 && under && cell_cols_ > 3) b = first_at_the_end();
+      write_to_next(r, b, vertices, next);
+    }
+  }
+
+  void write_along(Index r, Index b, bool over, bool under, const std::vector<int>& vertices) {
+    HalfEdgeFields to_east{-1, vertex(vertices, after(b)).idx(), -1, -1};
+    HalfEdgeFields to_west{-1, vertex(vertices, b).idx(), -1, -1};
+    if (over) {
+      to_east.face = patch_.face(r, cell(b));
+      to_east.next = north(r, after(b)).idx();
+      to_east.prev = south(r, b).idx();
+    }
+    if (under) {
+      const Index below = row_before(r);
+      to_west.face = patch_.face(below, cell(b));
+      to_west.next = south(below, b).idx();
+      to_west.prev = north(below, after(b)).idx();
+    }
+    edges_.write(east(r, b).idx() / 2, to_east, to_west);
+  }
+
+  void write_to_next(Index r, Index b, const std::vector<int>& vertices,
+                     const std::vector<int>& next) {
+    HalfEdgeFields to_north{-1, vertex(next, b).idx(), -1, -1};
+    HalfEdgeFields to_south{-1, vertex(vertices, b).idx(), -1, -1};
+    if (wraps_cols_ || b > 0) {
+      to_north.face = patch_.face(r, cell(before(b)));
+      to_north.next = west(row_after(r), before(b)).idx();
+      to_north.prev = east(r, before(b)).idx();
+    }
+    if (wraps_cols_ || b < cols_ - 1) {
+      to_south.face = patch_.face(r, cell(b));
+      to_south.next = east(r, b).idx();
+      to_south.prev = west(row_after(r), b).idx();
+    }
+    edges_.write(north(r, b).idx() / 2, to_north, to_south);
+  }
+
+  // Where what write_between() leaves begins again: the last cell and column.
+  [[nodiscard]] Index first_at_the_end() const { return cols_ - 2; }
+
+  // write_along() and write_to_next() for b = 1 .. first_at_the_end() - 1, where numbers grow by a
+  // step. \pre there are cells over and under the row.
+  Index write_between(Index r, const std::vector<int>& vertices, const std::vector<int>& next) {
+    const int step = mirrored_ ? -1 : 1;
+    const Index below = row_before(r);
+    const int along = east(r, 1).idx() / 2;
+    const int along_next = east(row_after(r), 1).idx() / 2;
+    const int up = north(r, 1).idx() / 2;
+    const int up_below = north(below, 1).idx() / 2;
+    const int face = patch_.face(r, cell(1));
+    const int face_below = patch_.face(below, cell(1));
+    const int count = static_cast<int>(first_at_the_end()) - 1;
+    const int* const v = vertices.data() + 1;
+    const int* const w = next.data() + 1;
+    for (int i = 0; i < count; ++i) {
+      const int k = i * step;
+      edges_.write(along + k, {face + k, v[i + 1], 2 * (up + k + step), 2 * (up + k) + 1},
+                   {face_below + k, v[i], 2 * (up_below + k) + 1, 2 * (up_below + k + step)});
+    }
+    for (int i = 0; i < count; ++i) {
+      const int k = i * step;
+      edges_.write(up + k,
+                   {face + k - step, w[i], 2 * (along_next + k - step) + 1, 2 * (along + k - step)},
+                   {face + k, v[i], 2 * (along + k), 2 * (along_next + k) + 1});
+    }
+    return first_at_the_end();
   }
 
   void write_edges(Index r, const std::vector<int>& vertices, const std::vector<int>& next) {
@@ -140,41 +262,12 @@ class PatchWriter {
                                 south(r > 0 ? r - 1 : cell_rows_ - 1, cols_ - 1));
   }
 
-  // The loop of half-edges without a face, or the two loops of a tube.
-  void write_rim() {
-    const Index last_row = rows_ - 1;
-    const Index last_col = cols_ - 1;
-    const auto rim = [&](HalfedgeHandle from, HalfedgeHandle to) {
-      mesh_.set_boundary(from);
-      mesh_.set_next_halfedge_handle(from, to);
-    };
-    if (!wraps_rows_) {
-      for (Index b = 0; b < cell_cols_; ++b) {
-        rim(west(0, b), b > 0         ? west(0, b - 1)
-                        : wraps_cols_ ? west(0, cell_cols_ - 1)
-                                      : north(0, 0));
-        rim(east(last_row, b), b + 1 < cell_cols_ ? east(last_row, b + 1)
-                               : wraps_cols_      ? east(last_row, 0)
-                                                  : south(cell_rows_ - 1, last_col));
-      }
-    }
-    if (!wraps_cols_) {
-      for (Index r = 0; r < cell_rows_; ++r) {
-        rim(north(r, 0), r + 1 < cell_rows_ ? north(r + 1, 0)
-                         : wraps_rows_      ? north(0, 0)
-                                            : east(last_row, 0));
-        rim(south(r, last_col), r > 0         ? south(r - 1, last_col)
-                                : wraps_rows_ ? south(cell_rows_ - 1, last_col)
-                                              : west(0, cell_cols_ - 1));
-      }
-    }
-  }
-
   [[nodiscard]] static VertexHandle vertex(const std::vector<int>& vertices, Index b) {
     return VertexHandle(vertices[static_cast<std::size_t>(b)]);
   }
 
   ArrayKernel& mesh_;
+  EdgeStore edges_;
   const RefinedPatch& patch_;
   Index rows_;
   Index cols_;
@@ -187,10 +280,18 @@ class PatchWriter {
 
 }  // namespace
 
-void build_connectivity(ArrayKernel& mesh, const Rebuild& rebuild) {
-  mesh.resize(static_cast<std::size_t>(rebuild.vertices), static_cast<std::size_t>(rebuild.edges),
-              static_cast<std::size_t>(rebuild.faces));
-  for (const RefinedPatch& patch : rebuild.patches) PatchWriter(mesh, patch).write();
+void build_connectivity(ArrayKernel& mesh, const Rebuild& rebuild, int threads) {
+  const auto vertices = static_cast<std::size_t>(rebuild.vertices);
+  const auto edges = static_cast<std::size_t>(rebuild.edges);
+  const auto faces = static_cast<std::size_t>(rebuild.faces);
+  reserve_in_large_pages(mesh, vertices, edges, faces);
+  mesh.resize(vertices, edges, faces);
+  for (const RefinedPatch& patch : rebuild.patches) {
+    PatchWriter writer(mesh, patch);
+    for_each_band(patch.rows.fine(), band_rows, threads,
+                  [&](Index first, Index count) { writer.write_rows(first, count); });
+    writer.write_rim();
+  }
   for (const auto& [old_number, new_number] : rebuild.lone_vertices)
     mesh.set_isolated(VertexHandle(new_number));
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,14 +83,60 @@ void append(std::string& text, Number value) {
   return static_cast<std::uint8_t>(255 * (x > 0 ? (x < 1 ? x : 1) : 0) + 0.5);
 }
 
+/// A file being written: text gathers here and goes on in large pieces.
+class Output {
+ public:
+  using Next = std::function<void(std::string_view piece, double share)>;
+  Output(std::size_t records, const MeshOutput& options, Next next)
+      : single_precision(options.single_precision),
+        comments_(options.comments),
+        records_(records),
+        next_(std::move(next)) {}
+
+  /// A vertex or a face is complete.
+  void record_done() {
+    ++done_;
+    if (text.size() >= piece) flush();
+  }
+  void flush() {
+    next_(text, static_cast<double>(done_) / static_cast<double>(records_));
+    text.clear();
+  }
+  /// Appends a coordinate as text.
+  void coordinate(double x) {
+    if (single_precision)
+      append(text, static_cast<float>(x));
+    else
+      append(text, x);
+  }
+
+  /// Appends the comments, each on a line of its own after `mark`.
+  void comments(const char* mark) {
+    for (std::string comment : comments_) {
+      std::replace(comment.begin(), comment.end(), '\n', ' ');
+      text += mark + comment + '\n';
+    }
+  }
+
+  std::string text;
+  const bool single_precision;
+
+ private:
+  static constexpr std::size_t piece = 1 << 20;
+  const std::vector<std::string>& comments_;
+  std::size_t records_;
+  std::size_t done_ = 0;
+  Next next_;
+};
+
 /// The formats: contents of a file to a mesh, and back. \throws MeshFileError
 [[nodiscard]] MeshData parse_obj(std::string_view text);
 [[nodiscard]] MeshData parse_off(std::string_view text);
 [[nodiscard]] MeshData parse_ply(std::string_view bytes);
 [[nodiscard]] MeshData parse_stl(std::string_view bytes);
-[[nodiscard]] std::string obj_text(const MeshData& mesh);
-[[nodiscard]] std::string off_text(const MeshData& mesh);
-[[nodiscard]] std::string ply_bytes(const MeshData& mesh);
-[[nodiscard]] std::string stl_bytes(const MeshData& mesh);
+void write_obj(const MeshData& mesh, Output& out);
+void write_off(const MeshData& mesh, Output& out);
+void write_ply(const MeshData& mesh, Output& out);
+void write_stl(const MeshData& mesh, Output& out);
 
 }  // namespace arete::openmesh::detail

@@ -28,6 +28,7 @@ MeshData parse_obj(std::string_view source) {
   }
   MeshData mesh;
   std::vector<std::array<float, 2>> texcoords;
+  std::vector<std::array<float, 3>> normals;
   bool any_texcoord = false;
   std::vector<int> face;
   Lines lines(text);
@@ -45,6 +46,8 @@ MeshData parse_obj(std::string_view source) {
     } else if (words[0] == "vt") {
       texcoords.push_back(
           {lines.number<float>(1), lines.size() > 2 ? lines.number<float>(2) : 0.0f});
+    } else if (words[0] == "vn") {
+      normals.push_back({lines.number<float>(1), lines.number<float>(2), lines.number<float>(3)});
     } else if (words[0] == "f") {
       face.clear();
       for (std::size_t i = 1; i < words.size(); ++i) {
@@ -53,11 +56,17 @@ MeshData parse_obj(std::string_view source) {
         std::array<float, 2> texcoord{};
         if (slash != std::string_view::npos) {
           const std::string_view rest = words[i].substr(slash + 1);
-          const std::string_view word = rest.substr(0, rest.find('/'));
+          const std::size_t second = rest.find('/');
+          const std::string_view word = rest.substr(0, second);
           if (!word.empty()) {
             texcoord = texcoords[static_cast<std::size_t>(
                 resolved(lines, word, texcoords.size(), "texture coordinate"))];
             any_texcoord = true;
+          }
+          if (second != std::string_view::npos && second + 1 < rest.size()) {
+            mesh.normals.resize(mesh.points.size());
+            mesh.normals[static_cast<std::size_t>(face.back())] = normals[static_cast<std::size_t>(
+                resolved(lines, rest.substr(second + 1), normals.size(), "normal"))];
           }
         }
         mesh.corner_texcoords.push_back(texcoord);
@@ -67,38 +76,48 @@ MeshData parse_obj(std::string_view source) {
   }
   if (!any_texcoord) mesh.corner_texcoords.clear();
   if (!mesh.colors.empty()) mesh.colors.resize(mesh.points.size(), {0, 0, 0, 255});
+  if (!mesh.normals.empty()) mesh.normals.resize(mesh.points.size());
   return mesh;
 }
 
-std::string obj_text(const MeshData& mesh) {
-  std::string text;
+void write_obj(const MeshData& mesh, Output& out) {
+  std::string& text = out.text;
+  out.comments("# ");
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     text += 'v';
-    for (double x : mesh.points[v]) append(text += ' ', x);
+    for (double x : mesh.points[v]) {
+      text += ' ';
+      out.coordinate(x);
+    }
     for (std::size_t k = 0; k < 3 && !mesh.colors.empty(); ++k)
       append(text += ' ', static_cast<float>(mesh.colors[v][k]) / 255.0f);
     text += '\n';
+    out.record_done();
   }
+  const auto list = [&](const char* word, const auto& vectors) {
+    for (const auto& vector : vectors) {
+      text += word;
+      for (float x : vector) append(text += ' ', x);
+      text += '\n';
+      out.record_done();
+    }
+  };
   const bool at_corners = !mesh.corner_texcoords.empty();
-  for (const auto& t : at_corners ? mesh.corner_texcoords : mesh.texcoords) {
-    append(text += "vt ", t[0]);
-    append(text += ' ', t[1]);
-    text += '\n';
-  }
+  list("vt", at_corners ? mesh.corner_texcoords : mesh.texcoords);
+  list("vn", mesh.normals);
+  const bool textured = at_corners || !mesh.texcoords.empty();
   for (int f = 0; f < mesh.faces.count(); ++f) {
     text += 'f';
     int corner = mesh.faces.starts[static_cast<std::size_t>(f)];
     for (int v : mesh.faces[f]) {
       append(text += ' ', v + 1);
       ++corner;
-      if (at_corners)
-        append(text += '/', corner);
-      else if (!mesh.texcoords.empty())
-        append(text += '/', v + 1);
+      if (textured) append(text += '/', at_corners ? corner : v + 1);
+      if (!mesh.normals.empty()) append(text += textured ? "/" : "//", v + 1);
     }
     text += '\n';
+    out.record_done();
   }
-  return text;
 }
 
 }  // namespace arete::openmesh::detail

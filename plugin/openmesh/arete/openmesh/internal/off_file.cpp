@@ -39,7 +39,12 @@ MeshData parse_off(std::string_view text) {
                  std::to_string(vertices));
     mesh.points.push_back(
         {lines.number<double>(0), lines.number<double>(1), lines.number<double>(2)});
-    std::size_t i = prefix.find('N') == std::string::npos ? 3 : 6;
+    std::size_t i = 3;
+    if (prefix.find('N') != std::string::npos) {
+      mesh.normals.push_back(
+          {lines.number<float>(3), lines.number<float>(4), lines.number<float>(5)});
+      i = 6;
+    }
     const bool textured = prefix.find("ST") != std::string::npos;
     if (prefix.find('C') != std::string::npos) {
       const bool opacity = lines.size() >= i + 4 + (textured ? 2 : 0);
@@ -61,29 +66,39 @@ MeshData parse_off(std::string_view text) {
   return mesh;
 }
 
-std::string off_text(const MeshData& mesh) {
-  std::string text = mesh.texcoords.empty() ? "" : "ST";
-  text += mesh.colors.empty() ? "OFF\n" : "COFF\n";
+void write_off(const MeshData& mesh, Output& out) {
+  std::string& text = out.text;
+  std::vector<std::array<float, 2>> seamless;
+  if (mesh.texcoords.empty() && !mesh.corner_texcoords.empty() && is_seamless(mesh))
+    seamless = vertex_texcoords(mesh);
+  const auto& texcoords = mesh.texcoords.empty() ? seamless : mesh.texcoords;
+  text += texcoords.empty() ? "" : "ST";
+  text += mesh.colors.empty() ? "" : "C";
+  text += mesh.normals.empty() ? "OFF\n" : "NOFF\n";
+  out.comments("# ");
   append(text, mesh.points.size());
   append(text += ' ', mesh.faces.count());
   text += " 0\n";
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const Point3& p = mesh.points[v];
-    append(text, p[0]);
-    append(text += ' ', p[1]);
-    append(text += ' ', p[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k > 0) text += ' ';
+      out.coordinate(mesh.points[v][k]);
+    }
+    if (!mesh.normals.empty())
+      for (float x : mesh.normals[v]) append(text += ' ', x);
     if (!mesh.colors.empty())
       for (std::uint8_t c : mesh.colors[v]) append(text += ' ', static_cast<int>(c));
-    if (!mesh.texcoords.empty())
-      for (float t : mesh.texcoords[v]) append(text += ' ', t);
+    if (!texcoords.empty())
+      for (float t : texcoords[v]) append(text += ' ', t);
     text += '\n';
+    out.record_done();
   }
   for (int f = 0; f < mesh.faces.count(); ++f) {
     append(text, mesh.faces[f].size());
     for (int v : mesh.faces[f]) append(text += ' ', v);
     text += '\n';
+    out.record_done();
   }
-  return text;
 }
 
 }  // namespace arete::openmesh::detail

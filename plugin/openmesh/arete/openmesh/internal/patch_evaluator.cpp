@@ -2,39 +2,67 @@
 #include "arete/openmesh/internal/patch_evaluator.h"
 
 #include <algorithm>
+#include <mutex>
+
+#include "arete/refine/for_each_band.h"
 
 namespace arete::openmesh::detail {
 namespace {
 
 // Tall enough that the rows a band recomputes at its start cost little, short enough that the band
 // is still in cache when its values are stored.
-constexpr Index band_rows = 128;
+constexpr Index band_rows = 64;
+
+// Bands of one plane each, kept from one use to the next: fresh memory costs more than the work.
+template <class Real>
+class BandStock {
+ public:
+  BandStock(std::size_t planes, Extent size) : planes_(planes), size_(size) {}
+
+  [[nodiscard]] std::vector<Grid<Real>> take() {
+    const std::lock_guard lock(mutex_);
+    if (stock_.empty()) return std::vector<Grid<Real>>(planes_, Grid<Real>(size_));
+    std::vector<Grid<Real>> bands = std::move(stock_.back());
+    stock_.pop_back();
+    return bands;
+  }
+  void give_back(std::vector<Grid<Real>> bands) {
+    const std::lock_guard lock(mutex_);
+    stock_.push_back(std::move(bands));
+  }
+
+ private:
+  std::size_t planes_;
+  Extent size_;
+  std::mutex mutex_;
+  std::vector<std::vector<Grid<Real>>> stock_;
+};
 
 }  // namespace
 
 template <class Real>
 void refine_in_bands(std::span<const Refiner<Real>* const> refiners,
-                     std::span<const Grid<Real>* const> planes,
+                     std::span<const Grid<Real>* const> planes, int threads,
                      const typename PatchEvaluator<Real>::Sink& sink) {
   const Extent fine = refiners.front()->output();
-  std::vector<Grid<Real>> bands(planes.size());
-  std::vector<const Real*> rows(planes.size());
-  for (Index first = 0; first < fine.rows; first += band_rows) {
-    const Index count = std::min(band_rows, fine.rows - first);
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-      if (bands[k].rows() != count) bands[k] = Grid<Real>({count, fine.cols});
-      refiners[k]->refine_rows(GridSource<Real>(planes[k]->view()), first, bands[k].view());
-    }
+  BandStock<Real> stock(planes.size(), {std::min(band_rows, fine.rows), fine.cols});
+  for_each_band(fine.rows, band_rows, threads, [&](Index first, Index count) {
+    std::vector<Grid<Real>> bands = stock.take();
+    for (std::size_t k = 0; k < planes.size(); ++k)
+      refiners[k]->refine_rows(GridSource<Real>(planes[k]->view()), first,
+                               GridView<Real>(bands[k].row(0), {count, fine.cols}));
+    std::vector<const Real*> rows(planes.size());
     for (Index r = 0; r < count; ++r) {
       for (std::size_t k = 0; k < planes.size(); ++k) rows[k] = bands[k].row(r);
       sink(first + r, rows);
     }
-  }
+    stock.give_back(std::move(bands));
+  });
 }
 
 template <class Real>
 PatchEvaluator<Real>::PatchEvaluator(const RefinedPatch& patch, int threads)
-    : patch_(patch), refiner_(patch.cols.plan, patch.rows.plan, threads) {}
+    : patch_(patch), threads_(threads), refiner_(patch.cols.plan, patch.rows.plan) {}
 
 template <class Real>
 void PatchEvaluator<Real>::evaluate(AttributeRule rule, std::span<const Grid<Real>> planes,
@@ -50,7 +78,7 @@ void PatchEvaluator<Real>::by_scheme(std::span<const Grid<Real>> planes, const S
   const std::vector<const Refiner<Real>*> refiners(planes.size(), &refiner_);
   std::vector<const Grid<Real>*> pointers;
   for (const Grid<Real>& plane : planes) pointers.push_back(&plane);
-  refine_in_bands<Real>(refiners, pointers, sink);
+  refine_in_bands<Real>(refiners, pointers, threads_, sink);
 }
 
 template <class Real>
@@ -85,10 +113,10 @@ void PatchEvaluator<Real>::bilinearly(std::span<const Grid<Real>> planes, const 
 template class PatchEvaluator<float>;
 template class PatchEvaluator<double>;
 template void refine_in_bands(std::span<const Refiner<float>* const>,
-                              std::span<const Grid<float>* const>,
+                              std::span<const Grid<float>* const>, int,
                               const PatchEvaluator<float>::Sink&);
 template void refine_in_bands(std::span<const Refiner<double>* const>,
-                              std::span<const Grid<double>* const>,
+                              std::span<const Grid<double>* const>, int,
                               const PatchEvaluator<double>::Sink&);
 
 }  // namespace arete::openmesh::detail

@@ -151,6 +151,12 @@ Store vertex_store(MeshData& mesh, const Property& property) {
   for (std::size_t k = 0; k < 3; ++k)
     if (property.name == std::string(1, "xyz"[k]))
       return [&mesh, k](double x) { mesh.points.back()[k] = x; };
+  for (std::size_t k = 0; k < 3; ++k)
+    if (property.name == std::string("n") + "xyz"[k])
+      return [&mesh, k](double x) {
+        mesh.normals.resize(mesh.points.size());
+        mesh.normals.back()[k] = static_cast<float>(x);
+      };
   constexpr const char* colors[]{"red", "green", "blue", "alpha"};
   for (std::size_t k = 0; k < 4; ++k)
     if (property.name == colors[k])
@@ -173,33 +179,55 @@ int checked_index(double x) {
   return static_cast<int>(x);
 }
 
+// The corners of one face, and their texture coordinates (two numbers a corner) if it has any.
+struct Face {
+  std::vector<int> corners;
+  std::vector<double> texcoords;
+};
+
+void read_list(Body& body, const Property& property, Face& face) {
+  const double count = body.next(property.count_type);
+  if (!(count >= 0 && count <= std::numeric_limits<int>::max()))
+    throw MeshFileError("a list has " + std::to_string(count) + " entries");
+  const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
+  const bool texcoords = property.name == "texcoord";
+  for (double n = 0; n < count; ++n) {
+    const double x = body.next(property.type);
+    if (corners) face.corners.push_back(checked_index(x));
+    if (texcoords) face.texcoords.push_back(x);
+  }
+}
+
+void add_face(const Face& face, MeshData& mesh) {
+  if (face.corners.empty()) return;
+  mesh.faces.add(face.corners);
+  if (face.texcoords.size() != 2 * face.corners.size()) return;
+  mesh.corner_texcoords.resize(mesh.faces.corners.size() - face.corners.size());
+  for (std::size_t i = 0; i < face.texcoords.size(); i += 2)
+    mesh.corner_texcoords.push_back(
+        {static_cast<float>(face.texcoords[i]), static_cast<float>(face.texcoords[i + 1])});
+}
+
 void read_element(Body& body, const Element& element, MeshData& mesh) {
   const bool vertices = element.name == "vertex";
   std::vector<Store> stores;
   for (const Property& property : element.properties)
     stores.push_back(vertices && !property.list ? vertex_store(mesh, property) : Store{});
-  std::vector<int> face;
+  Face face;
   for (std::size_t i = 0; i < element.count; ++i) {
     if (vertices) mesh.points.push_back({});
+    face.corners.clear();
+    face.texcoords.clear();
     for (std::size_t k = 0; k < stores.size(); ++k) {
       const Property& property = element.properties[k];
-      if (!property.list) {
-        const double x = body.next(property.type);
-        if (stores[k]) stores[k](x);
+      if (property.list) {
+        read_list(body, property, face);
         continue;
       }
-      const double count = body.next(property.count_type);
-      if (!(count >= 0 && count <= std::numeric_limits<int>::max()))
-        throw MeshFileError("a list has " + std::to_string(count) + " entries");
-      const bool corners = element.name == "face" &&
-                           (property.name == "vertex_indices" || property.name == "vertex_index");
-      face.clear();
-      for (double n = 0; n < count; ++n) {
-        const double x = body.next(property.type);
-        if (corners) face.push_back(checked_index(x));
-      }
-      if (corners) mesh.faces.add(face);
+      const double x = body.next(property.type);
+      if (stores[k]) stores[k](x);
     }
+    if (element.name == "face") add_face(face, mesh);
   }
 }
 
@@ -215,33 +243,57 @@ MeshData parse_ply(std::string_view bytes) {
   Body body(bytes.substr(header.size), header.coding);
   MeshData mesh;
   for (const Element& element : header.elements) read_element(body, element, mesh);
+  if (!mesh.corner_texcoords.empty()) mesh.corner_texcoords.resize(mesh.faces.corners.size());
   return mesh;
 }
 
-std::string ply_bytes(const MeshData& mesh) {
-  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex ";
+void write_ply(const MeshData& mesh, Output& out) {
+  std::string& bytes = out.text;
+  bytes = "ply\nformat binary_little_endian 1.0\n";
+  out.comments("comment ");
+  bytes += "element vertex ";
   append(bytes, mesh.points.size());
-  bytes += "\nproperty double x\nproperty double y\nproperty double z\n";
+  const char* const real = out.single_precision ? "float " : "double ";
+  for (const char* name : {"x", "y", "z"}) bytes += std::string("\nproperty ") + real + name;
+  if (!mesh.normals.empty()) bytes += "\nproperty float nx\nproperty float ny\nproperty float nz";
   if (!mesh.colors.empty())
     for (const char* name : {"red", "green", "blue", "alpha"})
-      bytes += "property uchar " + std::string(name) + "\n";
-  if (!mesh.texcoords.empty()) bytes += "property float s\nproperty float t\n";
-  append(bytes += "element face ", mesh.faces.count());
-  bytes += "\nproperty list uchar int vertex_indices\nend_header\n";
+      bytes += std::string("\nproperty uchar ") + name;
+  if (!mesh.texcoords.empty()) bytes += "\nproperty float s\nproperty float t";
+  append(bytes += "\nelement face ", mesh.faces.count());
+  bytes += "\nproperty list uchar int vertex_indices";
+  const bool at_corners = !mesh.corner_texcoords.empty();
+  if (at_corners) bytes += "\nproperty list uchar float texcoord";
+  bytes += "\nend_header\n";
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    for (double x : mesh.points[v]) append_raw(bytes, x);
+    for (double x : mesh.points[v]) {
+      if (out.single_precision)
+        append_raw(bytes, static_cast<float>(x));
+      else
+        append_raw(bytes, x);
+    }
+    if (!mesh.normals.empty())
+      for (float x : mesh.normals[v]) append_raw(bytes, x);
     if (!mesh.colors.empty())
       for (std::uint8_t c : mesh.colors[v]) append_raw(bytes, c);
     if (!mesh.texcoords.empty())
       for (float t : mesh.texcoords[v]) append_raw(bytes, t);
+    out.record_done();
   }
   for (int f = 0; f < mesh.faces.count(); ++f) {
-    if (mesh.faces[f].size() > 255)
-      throw MeshFileError("face " + std::to_string(f) + " has more than 255 corners");
-    append_raw(bytes, static_cast<std::uint8_t>(mesh.faces[f].size()));
-    for (int v : mesh.faces[f]) append_raw(bytes, static_cast<std::int32_t>(v));
+    const auto face = mesh.faces[f];
+    if (face.size() > (at_corners ? 127u : 255u))
+      throw MeshFileError("face " + std::to_string(f) + " has more corners than PLY counts here");
+    append_raw(bytes, static_cast<std::uint8_t>(face.size()));
+    for (int v : face) append_raw(bytes, static_cast<std::int32_t>(v));
+    if (at_corners) {
+      append_raw(bytes, static_cast<std::uint8_t>(2 * face.size()));
+      const auto first = static_cast<std::size_t>(mesh.faces.starts[static_cast<std::size_t>(f)]);
+      for (std::size_t i = 0; i < face.size(); ++i)
+        for (float t : mesh.corner_texcoords[first + i]) append_raw(bytes, t);
+    }
+    out.record_done();
   }
-  return bytes;
 }
 
 }  // namespace arete::openmesh::detail

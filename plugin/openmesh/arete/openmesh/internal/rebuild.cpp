@@ -8,10 +8,12 @@
 namespace arete::openmesh::detail {
 namespace {
 
-AxisPlan make_plan(const Scheme& scheme, Index count, bool wraps, Boundary boundary, int levels) {
+AxisPlan make_plan(const Scheme& scheme, Index count, bool wraps, Boundary boundary, int levels,
+                   const std::optional<Stencil>& final_stencil) {
   AxisOptions options;
   options.levels = levels;
   options.boundary = wraps ? Boundary::periodic : boundary;
+  options.final_stencil = final_stencil;
   return {scheme.mask(), count, options};
 }
 
@@ -87,9 +89,9 @@ Rebuild plan_rebuild(std::vector<GridPatch> patches, int old_vertices,
   for (GridPatch& patch : patches) {
     for (int v : patch.vertices) used[static_cast<std::size_t>(v)] = true;
     AxisPlan y = make_plan(options.along_cols, patch.extent.rows, patch.wraps_rows,
-                           options.boundaries.y, options.levels);
+                           options.boundaries.y, options.levels, options.final_along_cols);
     AxisPlan x = make_plan(options.along_rows, patch.extent.cols, patch.wraps_cols,
-                           options.boundaries.x, options.levels);
+                           options.boundaries.x, options.levels, options.final_along_rows);
     half_edges += (patch.is_triangulated() ? 6.0 : 4.0) * static_cast<double>(y.output_count()) *
                   static_cast<double>(x.output_count());
     check_size(half_edges);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "arete/field/boundary.h"
 #include "arete/openmesh/internal/refined_axis.h"
 #include "arete/scheme/scheme.h"
+#include "arete/scheme/stencil.h"
 #include "arete/topology/grid_patch.h"
 
 namespace arete::openmesh::detail {
@@ -70,6 +72,9 @@ struct RebuildOptions {
   const Scheme& along_cols;
   Boundaries boundaries;
   int levels = 1;
+  /// Applied after the last level: limit stencils put the samples on the limit surface.
+  std::optional<Stencil> final_along_rows{};
+  std::optional<Stencil> final_along_cols{};
 };
 
 /// The plan of a whole mesh: all patches and the numbering. Making it checks all there is to check,

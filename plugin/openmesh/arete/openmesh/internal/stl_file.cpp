@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <map>
 
 #include "arete/openmesh/internal/mesh_text.h"
@@ -61,23 +63,28 @@ MeshData parse_stl(std::string_view bytes) {
   return mesh;
 }
 
-std::string stl_bytes(const MeshData& mesh) {
-  std::string bytes(header_size, '\0');
-  std::uint32_t facets = 0;
+void write_stl(const MeshData& mesh, Output& out) {
+  std::size_t facets = 0;
+  for (int f = 0; f < mesh.faces.count(); ++f)
+    facets += std::max<std::size_t>(mesh.faces[f].size(), 2) - 2;
+  if (facets > std::numeric_limits<std::uint32_t>::max())
+    throw MeshFileError("more triangles than STL can count; write a .ply");
+  const auto count = static_cast<std::uint32_t>(facets);
+  out.text.append(header_size, '\0');
+  std::memcpy(out.text.data() + 80, &count, 4);
   for (int f = 0; f < mesh.faces.count(); ++f) {
     const auto face = mesh.faces[f];
-    for (std::size_t i = 2; i < face.size(); ++i, ++facets) {
+    for (std::size_t i = 2; i < face.size(); ++i) {
       const int corners[]{face[0], face[i - 1], face[i]};
       float values[12]{};  // normal (0, 0, 0): to be computed by the reader
       for (std::size_t k = 0; k < 9; ++k)
         values[3 + k] =
             static_cast<float>(mesh.points[static_cast<std::size_t>(corners[k / 3])][k % 3]);
-      bytes.append(reinterpret_cast<const char*>(values), sizeof values);
-      bytes.append(2, '\0');
+      out.text.append(reinterpret_cast<const char*>(values), sizeof values);
+      out.text.append(2, '\0');
     }
+    out.record_done();
   }
-  std::memcpy(bytes.data() + 80, &facets, 4);
-  return bytes;
 }
 
 }  // namespace arete::openmesh::detail

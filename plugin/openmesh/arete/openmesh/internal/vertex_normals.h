@@ -89,16 +89,15 @@ void set_vertex_normals(Mesh& mesh, const Rebuild& rebuild, const RebuildOptions
         planes[k].samples()[i] =
             old_positions[static_cast<std::size_t>(patch.coarse.vertices[i])][k];
     }
-    std::vector<int> vertices(static_cast<std::size_t>(patch.cols.fine()));
-    Index read = -1;
     // Where the limit has no normal, or cannot be had, that of the differences stays.
     (void)limit_normals(patch, options, frames->along_rows, frames->along_cols,
                         {&planes[0], &planes[1], &planes[2]}, threads,
-                        [&](Index r, Index c, const std::array<double, 3>& n) {
-                          if (r != read) patch.row_vertices(r, vertices);
-                          read = r;
-                          if (n[0] != 0 || n[1] != 0 || n[2] != 0)
-                            set_unit_normal(mesh, vertices[static_cast<std::size_t>(c)], n);
+                        [&](Index r, std::span<const std::array<double, 3>> normals) {
+                          std::vector<int> vertices(normals.size());
+                          patch.row_vertices(r, vertices);
+                          for (std::size_t c = 0; c < normals.size(); ++c)
+                            if (normals[c] != std::array<double, 3>{})
+                              set_unit_normal(mesh, vertices[c], normals[c]);
                         });
   }
 }

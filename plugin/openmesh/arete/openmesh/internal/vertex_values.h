@@ -36,8 +36,8 @@ void refine_vertex_values(const Rebuild& rebuild,
         plane.samples()[i] =
             static_cast<Real>(C::get(old[static_cast<std::size_t>(patch.coarse.vertices[i])], k));
     }
-    std::vector<int> vertices(static_cast<std::size_t>(patch.cols.fine()));
     evaluators[p].evaluate(rule, planes, [&](Index r, std::span<const Real* const> rows) {
+      std::vector<int> vertices(static_cast<std::size_t>(patch.cols.fine()));
       patch.row_vertices(r, vertices);
       for (std::size_t c = 0; c < vertices.size(); ++c) {
         T& value = values[static_cast<std::size_t>(vertices[c])];

@@ -8,7 +8,6 @@
 #include <vtkStringArray.h>
 
 namespace arete::vtk {
-namespace {
 
 void add_text(const std::string& name, const std::string& text, vtkDataObject& out) {
   vtkNew<vtkStringArray> array;
@@ -16,8 +15,6 @@ void add_text(const std::string& name, const std::string& text, vtkDataObject& o
   array->InsertNextValue(text);
   out.GetFieldData()->AddArray(array);
 }
-
-}  // namespace
 
 void add_field_data(const Surface& surface, vtkDataObject& out) {
   for (const Note& note : surface.notes) add_text(note.name, note.text, out);

@@ -8,6 +8,9 @@ class vtkDataObject;
 
 namespace arete::vtk {
 
+/// A text in the field data, under its name.
+void add_text(const std::string& name, const std::string& text, vtkDataObject& out);
+
 /// What a VTK file has no other place for, as field data: the reference system ("CRS_WKT"), the
 /// caller's notes, and the map of samples to world coordinates ("GeoTransform", GDAL's six numbers
 /// for the raster as given, row 0 first).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "arete/vtk/internal/local_plane.h"
+#include "arete/field/local_plane.h"
 
 #include <cmath>
 #include <iomanip>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace arete::vtk {
+namespace arete {
 namespace {
 
 constexpr double earth_radius = 6371008.8;  // metres; mean radius of the GRS 80 ellipsoid
@@ -24,15 +24,17 @@ std::string describe(WorldPoint origin) {
 
 }  // namespace
 
-LocalPlane local_plane(const Surface& surface) {
+LocalPlane local_plane(const Georeference& place, Extent extent, bool geographic) {
   LocalPlane plane;
-  plane.placement = surface.georeference;
-  if (surface.coordinates == Coordinates::planar) return plane;
+  plane.placement = place;
+  if (!geographic) return plane;
 
-  const Extent extent = surface.extent();
   const double row = static_cast<double>(extent.rows - 1) / 2;
   const double col = static_cast<double>(extent.cols - 1) / 2;
-  plane.origin = surface.georeference.position(row, col);
+  plane.origin = place.position(row, col);
+  if (!(std::abs(plane.origin.y) < 89.9))
+    throw InvalidField("the raster's centre lies at latitude " + std::to_string(plane.origin.y) +
+                       "; project it to a plane (gdalwarp -t_srs) first");
   plane.scale_x = earth_radius * radian * std::cos(plane.origin.y * radian);
   plane.scale_y = earth_radius * radian;
   plane.note = describe(plane.origin);
@@ -49,4 +51,4 @@ LocalPlane local_plane(const Surface& surface) {
   return plane;
 }
 
-}  // namespace arete::vtk
+}  // namespace arete

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Meshes through `arete refine`: from file to file, and what comes of a raster.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "arete/gdal/band_source.h"
+#include "arete/openmesh/mesh_io.h"
+#include "arete/refine/refiner.h"
+#include "arete/topology/orient.h"
+#include "arete/topology/recover.h"
+#include "run_program.h"
+#include "support/schemes.h"
+#include "support/temporary_folder.h"
+#include "topology/meshes.h"
+
+namespace arete {
+namespace {
+
+using openmesh::MeshData;
+using test::dem;
+using test::run_arete;
+using test::run_json;
+
+// A shuffled terrain in UTM, whose digits float would lose.
+MeshData utm_terrain(Index rows, Index cols) {
+  const test::Mesh mesh = test::shuffled(test::terrain_mesh(rows, cols), 4);
+  MeshData data{mesh.points, mesh.faces};
+  for (Point3& p : data.points) p = {500000.25 + 30 * p[0], 5400000.5 + 30 * p[1], 100 * p[2]};
+  return data;
+}
+
+std::array<Grid<double>, 3> planes_of(const MeshData& mesh) {
+  const GridPatch patch =
+      oriented(recover_grids(mesh.faces, static_cast<int>(mesh.points.size()), mesh.points).at(0),
+               mesh.points);
+  std::array<Grid<double>, 3> planes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    planes[k] = Grid<double>(patch.extent);
+    for (std::size_t i = 0; i < patch.vertices.size(); ++i)
+      planes[k].samples()[i] = mesh.points[static_cast<std::size_t>(patch.vertices[i])][k];
+  }
+  return planes;
+}
+
+void expect_refined(const MeshData& coarse, const MeshData& fine, const Scheme& x, const Scheme& y,
+                    const RefineOptions& options, double tolerance) {
+  const auto before = planes_of(coarse);
+  const auto after = planes_of(fine);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Grid<double> expected =
+        Refiner<double>(x, y, before[k].extent(), options)(before[k].view());
+    ASSERT_EQ(after[k].extent(), expected.extent());
+    for (std::size_t i = 0; i < expected.samples().size(); ++i)
+      ASSERT_NEAR(after[k].samples()[i], expected.samples()[i], tolerance) << k;
+  }
+}
+
+TEST(cli_refine_mesh, every_format_into_every_format) {
+  const test::TemporaryFolder folder;
+  const MeshData coarse = utm_terrain(5, 7);
+  const Scheme scheme = parse_scheme("gentle");
+  RefineOptions options;
+  options.levels = 2;
+  for (const char* from : {"obj", "ply", "off", "stl"}) {
+    const std::string in = folder.file(std::string("in.") + from);
+    openmesh::write_mesh(in, coarse);
+    for (const char* to : {"obj", "ply", "off", "stl"}) {
+      const std::string out = folder.file(std::string("out.") + to);
+      const auto run =
+          run_arete({"refine", in, out, "--scheme", "gentle", "--levels", "2", "--overwrite"});
+      ASSERT_EQ(run.exit_code, 0) << run.err;
+      EXPECT_NE(run.out.find("grid of 7 x 5 -> 25 x 17"), std::string::npos) << run.out;
+      const MeshData fine = openmesh::read_mesh(out);
+      const bool stl = std::string(from) == "stl" || std::string(to) == "stl";
+      EXPECT_EQ(fine.faces.count(), stl ? 2 * 16 * 24 : 16 * 24) << "quads stay quads";
+      // The ways round the triangles of an STL may differ, its numbers are floats.
+      if (std::string(to) != "stl")
+        expect_refined(openmesh::read_mesh(in), fine, scheme, scheme, options, 1e-8);
+    }
+  }
+  EXPECT_EQ(folder.entries(), 8);
+}
+
+TEST(cli_refine_mesh, options_are_those_of_rasters) {
+  const test::TemporaryFolder folder;
+  const MeshData coarse = utm_terrain(6, 8);
+  openmesh::write_mesh(folder.file("in.ply"), coarse);
+  const auto report = run_json({"refine", folder.file("in.ply"), folder.file("out.ply"), "--scheme",
+                                "b-spline:degree=3", "--scheme-y", "four-point", "--boundary",
+                                "clamp,reflect", "--levels", "2", "--threads", "2", "--json"});
+  EXPECT_EQ(report.at("rows"), 21);
+  EXPECT_EQ(report.at("cols"), 29);
+  EXPECT_EQ(report.at("vertices"), 21 * 29);
+  EXPECT_EQ(report.at("faces"), 20 * 28);
+  EXPECT_EQ(report.at("grids").at(0).at("input_rows"), 6);
+  EXPECT_EQ(report.at("scheme_y"), "four-point:omega=1/16");
+  for (const char* key :
+       {"input", "output", "levels", "scheme", "seconds", "samples_per_second", "threads"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  RefineOptions options;
+  options.levels = 2;
+  options.boundaries = {Boundary::clamp, Boundary::reflect};
+  expect_refined(coarse, openmesh::read_mesh(folder.file("out.ply")),
+                 parse_scheme("b-spline:degree=3"), parse_scheme("four-point"), options, 1e-9);
+
+  // Points on the limit surface are where many levels lead.
+  ASSERT_EQ(run_arete({"refine", folder.file("in.ply"), folder.file("limit.ply"), "--scheme",
+                       "b-spline:degree=3", "--limit"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_arete({"refine", folder.file("in.ply"), folder.file("deep.ply"), "--scheme",
+                       "b-spline:degree=3", "--levels", "6"})
+                .exit_code,
+            0);
+  const MeshData limit = openmesh::read_mesh(folder.file("limit.ply"));
+  const MeshData deep = openmesh::read_mesh(folder.file("deep.ply"));
+  for (std::size_t v = 0; v < coarse.points.size(); ++v)
+    EXPECT_NEAR(limit.points[v][2], deep.points[v][2], 0.05);
+}
+
+TEST(cli_refine_mesh, attributes_come_along_and_what_has_no_place_is_said) {
+  const test::TemporaryFolder folder;
+  MeshData coarse = utm_terrain(4, 5);
+  for (const Point3& p : coarse.points)
+    coarse.colors.push_back({static_cast<std::uint8_t>((p[0] - 500000.25) / 30 * 60), 5, 250, 255});
+  for (int v : coarse.faces.corners)
+    coarse.corner_texcoords.push_back(
+        {static_cast<float>(coarse.points[static_cast<std::size_t>(v)][0] - 500000), 0.5f});
+  openmesh::write_mesh(folder.file("in.ply"), coarse);
+  ASSERT_EQ(
+      run_arete({"refine", folder.file("in.ply"), folder.file("out.ply"), "--scheme", "four-point"})
+          .exit_code,
+      0);
+  const MeshData fine = openmesh::read_mesh(folder.file("out.ply"));
+  ASSERT_EQ(fine.colors.size(), fine.points.size());
+  for (std::size_t v = 0; v < fine.points.size(); ++v)
+    EXPECT_EQ(fine.colors[v][0], std::lround((fine.points[v][0] - 500000.25) / 30 * 60));
+  ASSERT_EQ(fine.texcoords.size(), fine.points.size()) << "without seams a vertex has one";
+  for (std::size_t v = 0; v < fine.points.size(); ++v)
+    EXPECT_NEAR(fine.texcoords[v][0], fine.points[v][0] - 500000, 1e-4);
+  coarse.corner_texcoords[0] = {7, 7};
+  openmesh::write_mesh(folder.file("seam.ply"), coarse);
+  ASSERT_EQ(run_arete({"refine", folder.file("seam.ply"), folder.file("out.obj"), "--scheme",
+                       "four-point"})
+                .exit_code,
+            0);
+  const MeshData seam = openmesh::read_mesh(folder.file("out.obj"));
+  EXPECT_EQ(seam.corner_texcoords.size(), seam.faces.corners.size());
+  auto run = run_arete(
+      {"refine", folder.file("seam.ply"), folder.file("out.vtp"), "--scheme", "four-point"});
+  EXPECT_NE(run.out.find("note: texture coordinates with seams"), std::string::npos) << run.out;
+  run = run_arete(
+      {"refine", folder.file("in.ply"), folder.file("out.stl"), "--scheme", "four-point"});
+  EXPECT_NE(run.out.find("note: an .stl has no colours"), std::string::npos) << run.out;
+}
+
+TEST(cli_refine_mesh, what_is_no_grid_is_named_and_nothing_is_written) {
+  const test::TemporaryFolder folder;
+  const test::Mesh holed = test::without_faces(test::terrain_mesh(5, 5), {5});
+  openmesh::write_mesh(folder.file("holed.obj"), {holed.points, holed.faces});
+  const auto refuse = [&](test::Arguments arguments, int code, const std::string& text) {
+    const auto run = run_arete(arguments);
+    EXPECT_EQ(run.exit_code, code) << run.err;
+    EXPECT_NE(run.err.find(text), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+  };
+  const std::string in = folder.file("holed.obj");
+  refuse({"refine", in, folder.file("o.ply"), "--scheme", "gentle"}, 1,
+         "holed.obj: vertex 6 on the rim has 3 faces");
+  refuse({"refine", in, folder.file("o.tif"), "--scheme", "gentle"}, 2, ".obj, .ply, .off, .stl");
+  refuse({"refine", in, folder.file("o.ply"), "--scheme", "gentle", "--align", "cells"}, 2,
+         "--align cells is for rasters");
+  refuse({"refine", in, in, "--scheme", "gentle", "--overwrite"}, 1, "is the input itself");
+  std::ofstream(folder.file("empty.obj")) << "# nothing\n";
+  refuse({"refine", folder.file("empty.obj"), folder.file("o.ply"), "--scheme", "gentle"}, 1,
+         "it holds no vertex");
+  const test::Mesh grid = test::terrain_mesh(30, 30);
+  openmesh::write_mesh(folder.file("grid.obj"), {grid.points, grid.faces});
+  refuse({"refine", folder.file("grid.obj"), folder.file("o.ply"), "--scheme", "gentle", "--levels",
+          "8", "--max-memory", "50M"},
+         1, "a mesh of");
+  refuse({"refine", folder.file("grid.obj"), folder.file("o.ply"), "--scheme", "gentle", "--levels",
+          "14"},
+         1, "use fewer levels");
+  EXPECT_EQ(folder.entries(), 3);
+}
+
+TEST(cli_refine_mesh, a_vtp_holds_the_quads_with_normals) {
+  const test::TemporaryFolder folder;
+  openmesh::write_mesh(folder.file("in.obj"), utm_terrain(4, 5));
+  ASSERT_EQ(
+      run_arete({"refine", folder.file("in.obj"), folder.file("out.vtp"), "--scheme", "gentle"})
+          .exit_code,
+      0);
+  std::ifstream stream(folder.file("out.vtp"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NE(bytes.find("NumberOfPoints=\"63\""), std::string::npos);
+  EXPECT_NE(bytes.find("NumberOfPolys=\"48\""), std::string::npos);
+  EXPECT_NE(bytes.find("Name=\"Normals\""), std::string::npos);
+}
+
+TEST(cli_refine_mesh, a_raster_becomes_the_quads_between_its_refined_samples) {
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(run_arete({"refine", dem, folder.file("fine.tif"), "--scheme", "gentle"}).exit_code, 0);
+  const gdal::Raster raster(folder.file("fine.tif"));
+  const Grid<double> heights = gdal::read_band<double>(raster, raster.bands().front());
+  for (const char* name : {"out.obj", "out.ply", "out.off"}) {
+    ASSERT_EQ(run_arete({"refine", dem, folder.file(name), "--scheme", "gentle"}).exit_code, 0);
+    const MeshData mesh = openmesh::read_mesh(folder.file(name));
+    ASSERT_EQ(mesh.points.size(), heights.samples().size());
+    EXPECT_EQ(mesh.faces.count(), (heights.rows() - 1) * (heights.cols() - 1));
+    EXPECT_EQ(mesh.faces[0].size(), 4u);
+    for (std::size_t i = 0; i < mesh.points.size(); i += 97)
+      EXPECT_NEAR(mesh.points[i][2], heights.samples()[i], 1e-4);
+    // Metres: 3 arc seconds are 92.66 m from north to south, and faces look up.
+    const auto a = mesh.points[0];
+    const auto below = mesh.points[static_cast<std::size_t>(heights.cols())];
+    EXPECT_NEAR(a[1] - below[1], 92.66 / 2, 0.1);
+    const auto face = mesh.faces[0];
+    const auto at = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(face[i])]; };
+    EXPECT_GT((at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) -
+                  (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]),
+              0);
+    const auto& t = mesh.texcoords.empty() ? mesh.corner_texcoords : mesh.texcoords;
+    ASSERT_FALSE(t.empty()) << name;
+    for (const auto& uv : t) {
+      EXPECT_GT(uv[0], 0);
+      EXPECT_LT(uv[1], 1);
+    }
+  }
+  ASSERT_EQ(run_arete({"refine", dem, folder.file("out.stl"), "--scheme", "gentle"}).exit_code, 0);
+  EXPECT_GT(std::filesystem::file_size(folder.file("out.stl")), 50u * 2 * 686 * 804);
+}
+
+}  // namespace
+}  // namespace arete
