@@ -92,16 +92,13 @@ PolyMesh coarse_mesh(const Case& c) {
   return poly_mesh(c.rows(), c.cols(), [&](Index r, Index k) { return c.place(r, k); });
 }
 
-Seconds arete_mesh(const Case& c, int threads) {
+Seconds arete_mesh(const Case& c) {
   PolyMesh mesh = coarse_mesh(c);
   arete::openmesh::GridSubdividerT<PolyMesh> subdivide;
-  subdivide.set_threads(threads);
   return seconds([&] {
     if (!subdivide(mesh, size_of(c.levels))) std::abort();
   });
 }
-Seconds arete_one(const Case& c) { return arete_mesh(c, 1); }
-Seconds arete_all(const Case& c) { return arete_mesh(c, 0); }
 
 // What any OpenMesh result of this size costs at least: its arrays filled once, in order, from
 // nothing, in large pages.
@@ -294,8 +291,7 @@ struct Peer {
   bool ours;
 };
 
-constexpr Peer peers[]{{"**arete GridSubdividerT**", arete_one, true},
-                       {"the same, all threads", arete_all, true},
+constexpr Peer peers[]{{"**arete GridSubdividerT**", arete_mesh, true},
                        {"floor: OpenMesh's arrays filled once", floor_of_arrays, true},
                        {"copy of the finished mesh", openmesh_copy, true},
                        {"connectivity and points, kernel setters", openmesh_setters, true},
@@ -351,9 +347,9 @@ int main(int argc, char** argv) {
           const Result result = in_own_process(peer.work, c);
           if (!(result.time.processor >= best.time.processor)) best = result;
         }
-        if (peer.work == arete_one) reference = best.time.processor;
-        // Threads shorten the wall time alone.
-        const double time = peer.work == arete_all ? best.time.wall : best.time.processor;
+        // All use one thread.
+        const double time = best.time.processor;
+        if (peer.work == arete_mesh) reference = time;
         std::printf("| %ld x %ld | %d | %.3g M | %s | %.3f | %.3f | %.0f | %.0f | %.2f |\n",
                     static_cast<long>(c.rows()), static_cast<long>(c.cols()), level,
                     c.vertices() / 1e6, peer.name, best.time.processor, best.time.wall,

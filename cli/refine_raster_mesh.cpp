@@ -5,8 +5,8 @@
 
 #include "arete/field/local_plane.h"
 #include "arete/openmesh/mesh_io.h"
+#include "cli/find_band.h"
 #include "cli/memory_size.h"
-#include "cli/raster_band.h"
 #include "cli/refine_grid.h"
 
 namespace arete::cli {

@@ -5,8 +5,8 @@
 #include "arete/vtk/write_image.h"
 #include "arete/vtk/write_polydata.h"
 #include "arete/vtk/write_structured_grid.h"
+#include "cli/find_band.h"
 #include "cli/memory_size.h"
-#include "cli/raster_band.h"
 #include "cli/raster_surface.h"
 #include "cli/refine_grid.h"
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "arete/topology/orient.h"
+#include "arete/topology/recover_part.h"
 #include "topology/meshes.h"
 
 namespace arete {
@@ -39,6 +41,48 @@ GridPatch only_patch(const Mesh& mesh, bool with_positions = true) {
 }
 
 constexpr Extent sizes[]{{2, 2}, {2, 7}, {9, 2}, {5, 5}, {9, 6}, {17, 12}};
+
+// Numbered row by row a grid is recognised at a glance; with two faces exchanged it has to be
+// found. Both must say the same.
+TEST(recover, a_grid_in_order_is_the_grid_that_is_found) {
+  for (const Extent extent : {Extent{2, 2}, Extent{2, 5}, Extent{5, 2}, Extent{6, 9}}) {
+    for (const bool turned : {false, true}) {
+      Mesh mesh = test::terrain_mesh(extent.rows, extent.cols);
+      if (turned) mesh = test::turned_over(mesh);
+      EXPECT_TRUE(detail::recover_in_order(mesh.faces, mesh.vertices()));
+      const GridPatch seen = oriented(only_patch(mesh), mesh.points);
+      EXPECT_EQ(seen.extent, extent);
+      if (mesh.faces.count() < 2) continue;
+      Mesh other = mesh;
+      std::swap_ranges(other.faces.corners.begin(), other.faces.corners.begin() + 4,
+                       other.faces.corners.end() - 4);
+      EXPECT_FALSE(detail::recover_in_order(other.faces, other.vertices()));
+      const GridPatch found = oriented(only_patch(other), other.points);
+      EXPECT_EQ(found.extent, seen.extent);
+      EXPECT_EQ(found.vertices, seen.vertices);
+      EXPECT_EQ(found.mirrored, seen.mirrored);
+    }
+  }
+}
+
+TEST(recover, what_only_begins_in_order_is_not_taken_for_a_grid) {
+  const Mesh grid = test::terrain_mesh(4, 5);
+  Mesh lone = grid;
+  lone.points.push_back({9, 9, 9});
+  EXPECT_FALSE(detail::recover_in_order(lone.faces, lone.vertices()));
+  EXPECT_FALSE(detail::recover_in_order(FaceList{}, 0));
+  EXPECT_FALSE(detail::recover_in_order(test::tube_mesh(3, 5).faces, 15));
+  for (int f = 0; f < grid.faces.count(); ++f) {
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      Mesh broken = grid;
+      broken.faces.corners[4 * static_cast<std::size_t>(f) + corner] ^= 1;
+      EXPECT_FALSE(detail::recover_in_order(broken.faces, broken.vertices())) << f << " " << corner;
+    }
+    Mesh flipped = grid;
+    std::reverse(flipped.faces.corners.begin() + 4 * f, flipped.faces.corners.begin() + 4 * f + 4);
+    EXPECT_FALSE(detail::recover_in_order(flipped.faces, flipped.vertices())) << f;
+  }
+}
 
 TEST(recover_grids, finds_a_grid_of_quads_in_any_order) {
   for (Extent extent : sizes) {

@@ -2,6 +2,7 @@
 #include "arete/topology/recover.h"
 
 #include <string>
+#include <utility>
 
 #include "arete/topology/half_edges.h"
 #include "arete/topology/recover_part.h"
@@ -42,6 +43,7 @@ std::vector<std::vector<int>> components(const HalfEdges& mesh) {
 
 std::vector<GridPatch> recover_grids(const FaceList& faces, int vertex_count,
                                      std::span<const Point3> positions) {
+  if (auto patch = detail::recover_in_order(faces, vertex_count)) return {std::move(*patch)};
   const HalfEdges mesh(faces, vertex_count);
   detail::Marks marks(faces.count(), vertex_count);
   std::vector<GridPatch> patches;

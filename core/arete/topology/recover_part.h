@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "arete/topology/grid_patch.h"
@@ -30,6 +31,11 @@ struct Marks {
     return true;
   }
 };
+
+/// The open grid of quads whose vertices and faces are numbered row by row, as programs that make
+/// terrain meshes number them; nothing for any other mesh. Only looks whether it is so, which is
+/// many times faster than finding rows and columns.
+[[nodiscard]] std::optional<GridPatch> recover_in_order(const FaceList& faces, int vertex_count);
 
 /// The two halves of recover_grids(): one connected component of quads, or of triangles, whose
 /// faces are given in ascending order. \throws NotAGrid.

@@ -372,7 +372,7 @@ TEST(openmesh, vertices_can_be_put_on_the_limit_surface) {
   }
   EXPECT_GT(
       (coarse.point(PolyMesh::VertexHandle(9)) - OpenMesh::Vec3d(terrain.points[9].data())).norm(),
-      0.01);
+      0.001);
 
   PolyMesh refused;
   test::fill(refused, terrain);

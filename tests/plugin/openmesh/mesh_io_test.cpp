@@ -146,8 +146,7 @@ TEST(openmesh_io, comments_single_precision_and_progress) {
     EXPECT_EQ(back.faces.count(), 12) << name;
     for (std::size_t v = 0; v < back.points.size(); ++v)
       for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_EQ(static_cast<float>(back.points[v][k]),
-                  static_cast<float>(terrain().points[v][k]))
+        EXPECT_EQ(static_cast<float>(back.points[v][k]), static_cast<float>(terrain().points[v][k]))
             << name;
     std::ifstream stream(scratch(name), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};

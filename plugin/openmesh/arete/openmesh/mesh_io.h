@@ -24,12 +24,12 @@ class MeshFileError : public std::runtime_error {
 /// A mesh as it stands in a file: plain arrays, faces of any number of corners, nothing repaired
 /// and nothing dropped. Attributes are empty or complete.
 struct MeshData {
-  std::vector<Point3> points;
-  FaceList faces;
-  std::vector<std::array<float, 3>> normals;           ///< of vertices
-  std::vector<std::array<std::uint8_t, 4>> colors;     ///< of vertices: red, green, blue, opacity
-  std::vector<std::array<float, 2>> texcoords;         ///< of vertices
-  std::vector<std::array<float, 2>> corner_texcoords;  ///< of corners, beside faces.corners
+  std::vector<Point3> points{};
+  FaceList faces{};
+  std::vector<std::array<float, 3>> normals{};           ///< of vertices
+  std::vector<std::array<std::uint8_t, 4>> colors{};     ///< of vertices: red, green, blue, opacity
+  std::vector<std::array<float, 2>> texcoords{};         ///< of vertices
+  std::vector<std::array<float, 2>> corner_texcoords{};  ///< of corners, beside faces.corners
 };
 
 /// Whether the file name ends in .obj, .ply, .off or .stl, in either case.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/raster_band.h"
+#include "cli/find_band.h"
 
 #include <string>
 
