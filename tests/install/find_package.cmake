@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Installs the build tree into a prefix of its own, moves the prefix (it must be relocatable), and
 # builds and runs a project that knows nothing but find_package(arete).
+cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result OUTPUT_VARIABLE _out ERROR_VARIABLE _out)
