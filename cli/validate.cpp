@@ -68,7 +68,7 @@ struct Row {
   [[nodiscard]] bool holds() const { return difference <= allowed; }
 };
 
-std::vector<Oracle> oracles(std::vector<std::string>& missing) {
+std::vector<Oracle> oracles([[maybe_unused]] std::vector<std::string>& missing) {
   std::vector<Oracle> all;
 #ifdef ARETE_HAVE_OPENSUBDIV
   using opensubdiv::CornerRule;
