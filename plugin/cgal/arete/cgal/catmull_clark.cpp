@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "arete/topology/grid_faces.h"
-#include "arete/topology/orient.h"
-#include "arete/topology/recover.h"
+#include "arete/topology/height_mesh.h"
 
 namespace arete::cgal {
 namespace {
@@ -21,9 +20,7 @@ using Vertex = Mesh::Vertex_index;
 
 Mesh make_mesh(const Grid<double>& heights) {
   Mesh mesh;
-  for (Index r = 0; r < heights.rows(); ++r)
-    for (Index c = 0; c < heights.cols(); ++c)
-      mesh.add_vertex({static_cast<double>(c), -static_cast<double>(r), heights(r, c)});
+  for (const Point3& p : height_points(heights)) mesh.add_vertex({p[0], p[1], p[2]});
   const FaceList faces = grid_faces(heights.extent(), true);
   for (int f = 0; f < faces.count(); ++f) {
     const auto face = faces[f];
@@ -56,12 +53,7 @@ Grid<double> catmull_clark(const Grid<double>& heights, int levels) {
       corners.push_back(static_cast<int>(v.idx()));
     faces.add(corners);
   }
-  const GridPatch patch =
-      oriented(recover_grids(faces, static_cast<int>(points.size())).front(), points);
-  Grid<double> result(patch.extent);
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i)
-    result.samples()[i] = points[static_cast<std::size_t>(patch.vertices[i])][2];
-  return result;
+  return heights_of(faces, points);
 }
 
 }  // namespace arete::cgal

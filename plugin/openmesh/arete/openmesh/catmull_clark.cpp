@@ -8,8 +8,7 @@
 
 #include "arete/openmesh/internal/mesh_faces.h"
 #include "arete/topology/grid_faces.h"
-#include "arete/topology/orient.h"
-#include "arete/topology/recover.h"
+#include "arete/topology/height_mesh.h"
 
 namespace arete::openmesh {
 namespace {
@@ -21,14 +20,13 @@ using Mesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
 
 Mesh make_mesh(const Grid<double>& heights) {
   Mesh mesh;
-  for (Index r = 0; r < heights.rows(); ++r)
-    for (Index c = 0; c < heights.cols(); ++c)
-      mesh.add_vertex({static_cast<double>(c), -static_cast<double>(r), heights(r, c)});
+  for (const Point3& p : height_points(heights)) mesh.add_vertex({p[0], p[1], p[2]});
   const FaceList faces = grid_faces(heights.extent(), true);
-  using V = Mesh::VertexHandle;
+  std::vector<Mesh::VertexHandle> corners;
   for (int f = 0; f < faces.count(); ++f) {
-    const auto face = faces[f];
-    mesh.add_face(V(face[0]), V(face[1]), V(face[2]), V(face[3]));
+    corners.clear();
+    for (int v : faces[f]) corners.emplace_back(v);
+    mesh.add_face(corners);
   }
   return mesh;
 }
@@ -50,12 +48,7 @@ Grid<double> catmull_clark(const Grid<double>& heights, int levels) {
     const auto& p = mesh.point(v);
     points.push_back({p[0], p[1], p[2]});
   }
-  const GridPatch patch = oriented(
-      recover_grids(detail::mesh_faces(mesh), static_cast<int>(points.size())).front(), points);
-  Grid<double> result(patch.extent);
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i)
-    result.samples()[i] = points[static_cast<std::size_t>(patch.vertices[i])][2];
-  return result;
+  return heights_of(detail::mesh_faces(mesh), points);
 }
 
 }  // namespace arete::openmesh
