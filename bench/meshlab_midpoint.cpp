@@ -50,14 +50,20 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
-// The filter as the shipped script has it, with one level.
+void set_value(std::string& filter, const std::string& name, const std::string& value) {
+  const std::string before = "name=\"" + name + "\" value=\"";
+  const auto begin = filter.find(before) + before.size();
+  filter.replace(begin, filter.find('"', begin) - begin, value);
+}
+
+// The filter as the shipped script has it, with one level and without detail.
 void write_scripts(const std::string& arete, const std::string& midpoint) {
   const std::string head = "<!DOCTYPE FilterScript>\n<FilterScript>\n";
   const std::string all = text_of(source + "/examples/terrain.mlx");
   const auto begin = all.find("<filter name=\"" + arete_name + "\">");
   std::string filter = all.substr(begin, all.find("</filter>", begin) + 9 - begin);
-  const std::string levels = "name=\"Levels\" value=\"";
-  filter[filter.find(levels) + levels.size()] = '1';
+  set_value(filter, "Levels", "1");
+  set_value(filter, "DetailAmount", "0");
   std::ofstream(arete) << head << filter << "\n</FilterScript>\n";
   std::ofstream(midpoint) << head
                           << "<filter name=\"Subdivision Surfaces: Midpoint\">\n"

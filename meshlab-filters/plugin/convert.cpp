@@ -234,8 +234,11 @@ void write_moved(const MovedMesh& moved, MeshModel& mesh) {
   update_box_and_normals(mesh);
   if (moved.normals.empty()) return;
   i = 0;
-  for (CVertexO& v : cm.vert)
-    if (!v.IsD()) set_point(v.N(), moved.normals[i++]);
+  for (CVertexO& v : cm.vert) {
+    if (v.IsD()) continue;
+    const Point3& normal = moved.normals[i++];
+    if (normal != Point3{0, 0, 0}) set_point(v.N(), normal);
+  }
 }
 
 }  // namespace arete::meshlab

@@ -85,6 +85,29 @@ TEST(limit_surface, planes_stay_planes_with_their_normal) {
   }
 }
 
+TEST(limit_surface, flat_ground_looks_up_whatever_the_boundary) {
+  const GridMesh mesh = grid_mesh({5, 6}, {MeshForm::Diagonals::random, true, true},
+                                  [](Index, Index) { return 4.0; });
+  for (Boundary boundary :
+       {Boundary::extrapolate, Boundary::clamp, Boundary::reflect, Boundary::periodic}) {
+    const MovedMesh moved = run(mesh.arrays, make_scheme("gentle"), {0, boundary});
+    for (const Point3& n : moved.normals) EXPECT_NEAR(n[2], 1, 1e-9) << int(boundary);
+  }
+}
+
+TEST(limit_surface, a_reflected_rim_of_all_coordinates_has_no_normal) {
+  // x does not change across a rim of reflected x: there the limit has no tangent plane.
+  const GridMesh mesh = grid_mesh({5, 6}, {}, smooth);
+  const MovedMesh moved =
+      run(mesh.arrays, make_scheme("gentle"), {0, Boundary::reflect, Coordinates::all});
+  for (Index r = 0; r < 5; ++r)
+    for (Index c = 0; c < 6; ++c) {
+      const Point3& n = moved.normals[static_cast<std::size_t>(mesh.vertex(r, c))];
+      const bool rim = r == 0 || r == 4 || c == 0 || c == 5;
+      EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), rim ? 0 : 1, 1e-9);
+    }
+}
+
 TEST(limit_surface, normals_are_those_of_a_deeply_refined_mesh) {
   for (const char* text : {"b-spline:degree=3", "chaikin", "four-point", "b-spline:degree=4"}) {
     const Scheme scheme = parse_scheme(text);

@@ -3,6 +3,7 @@
 // little, so the files it writes are read.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -121,6 +122,10 @@ TEST(server, subdivide_by_the_shipped_script) {
   EXPECT_EQ(result.faces, 2u * 168 * 196) << log;
   RefineOptions options;
   options.levels = 2;
+  options.detail.emplace();
+  options.detail->relief = 0.1;
+  options.detail->roughness = 0.7;
+  options.detail->seed = 1;
   EXPECT_EQ(heights_in(result), rounded(refine(terrain_heights(), make_scheme("gentle"), options)));
 }
 
@@ -168,6 +173,32 @@ TEST(server, coarsen_by_the_shipped_script) {
   EXPECT_EQ(result.faces, std::size_t(2 * (coarse.rows() - 1) * (coarse.cols() - 1))) << log;
   EXPECT_EQ(heights_in(result), rounded(coarse));
 }
+
+#ifdef ARETE_MESHLAB_WITH_CGAL
+TEST(server, terrain_from_points_by_the_shipped_script) {
+  const test::TemporaryFolder folder;
+  const std::string cloud = folder.file("cloud.ply");
+  {
+    std::ofstream ply(cloud);
+    ply << "ply\nformat ascii 1.0\nelement vertex 1764\nproperty float x\nproperty float y\n"
+           "property float z\nend_header\n";
+    for (int i = 0; i < 1764; ++i) {  // two irrational steps spread them; the four corners too
+      const double x = i < 4 ? 28000 * (i % 2) : 28000 * std::fmod(0.618034 * i, 1.0);
+      const double y = i < 4 ? 21000 * (i / 2) : 21000 * std::fmod(0.754878 * i, 1.0);
+      ply << x << ' ' << y << ' ' << 500 + x / 40 - y / 50 << '\n';
+    }
+  }
+  const std::string out = folder.file("out.ply");
+  const std::string script = source + "/examples/terrain-from-points.mlx";
+  const std::string log = serve("-i " + cloud + " -o " + out + " -s " + script, folder);
+  const Vertices result = read_binary_ply(out);
+  // 28000 / 720 and 21000 / 720, rounded down, and one.
+  ASSERT_EQ(result.rows.size(), 39u * 30u) << log;
+  EXPECT_EQ(result.faces, 2u * 38u * 29u);
+  for (const auto& row : result.rows)
+    EXPECT_NEAR(row[2], 500 + row[0] / 40 - row[1] / 50, 0.01) << log;
+}
+#endif
 
 TEST(server, the_whole_script_and_quads_in_the_file) {
   const test::TemporaryFolder folder;

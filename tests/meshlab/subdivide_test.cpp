@@ -128,6 +128,54 @@ TEST(subdivide, all_coordinates_are_three_height_fields) {
             expected);
 }
 
+TEST(subdivide, detail_equals_the_engine_and_moves_heights_only) {
+  Detail detail;
+  detail.seed = 7;
+  detail.relief = 0.2;
+  for (const char* text : {"gentle", "four-point", "chaikin", "ternary-four-point"}) {
+    const Scheme scheme = parse_scheme(text);
+    RefineOptions options;
+    options.levels = 2;
+    options.detail = detail;
+    const Grid<double> fine = refine(heights_of(grid_mesh({6, 9})), scheme, options);
+    for (const MeshForm& form : forms()) {
+      const GridMesh mesh = grid_mesh({6, 9}, form);
+      SubdivideOptions with{2};
+      const auto smooth = by_place(run(mesh.arrays, scheme, with));
+      with.detail = detail;
+      const auto heights = by_place(run(mesh.arrays, scheme, with));
+      ASSERT_EQ(heights.size(), smooth.size());
+      auto entry = heights.begin();
+      auto other = smooth.begin();
+      for (Index c = 0; c < fine.cols(); ++c)
+        for (Index r = fine.rows(); r-- > 0; ++entry, ++other) {
+          EXPECT_EQ(entry->second, fine(r, c)) << text;
+          EXPECT_EQ(entry->first, other->first) << "a vertex moved in plan";
+        }
+      EXPECT_NE(heights, smooth);
+      with.detail->seed = 8;
+      EXPECT_NE(by_place(run(mesh.arrays, scheme, with)), heights);
+      with.detail->relief = 0;
+      EXPECT_EQ(by_place(run(mesh.arrays, scheme, with)), smooth);
+    }
+  }
+}
+
+TEST(subdivide, detail_moves_only_z_when_all_coordinates_are_refined) {
+  const GridMesh mesh = grid_mesh({6, 7}, {MeshForm::Diagonals::random, true, true});
+  SubdivideOptions options{2, Boundary::extrapolate, Coordinates::all};
+  const auto smooth = run(mesh.arrays, make_scheme("gentle"), options).arrays.positions;
+  options.detail.emplace();
+  const auto rough = run(mesh.arrays, make_scheme("gentle"), options).arrays.positions;
+  int moved = 0;
+  for (std::size_t v = 0; v < smooth.size(); ++v) {
+    EXPECT_EQ(rough[v][0], smooth[v][0]);
+    EXPECT_EQ(rough[v][1], smooth[v][1]);
+    if (rough[v][2] != smooth[v][2]) ++moved;
+  }
+  EXPECT_GT(moved, int(smooth.size()) / 2);
+}
+
 TEST(subdivide, old_vertices_keep_their_numbers) {
   const GridMesh mesh = grid_mesh({6, 7}, {MeshForm::Diagonals::random, true, true});
   const RefinedMesh kept = run(mesh.arrays, make_scheme("four-point"), {2});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arete/meshlab/filter_table.h"
 
+#include <limits>
+
 #include "arete/meshlab/common_fields.h"
 #include "arete/meshlab/layer_filters.h"
 #include "arete/meshlab/limit_surface.h"
@@ -31,6 +33,19 @@ Filter subdivide_filter() {
             facts.vertices > 100000 ? 1 : 2, 1, 10));
         fields.push_back(boundary_field(Boundary::none));
         fields.push_back(coordinates_field());
+        fields.push_back(number_field(
+            "DetailAmount", "Detail amount",
+            "Random detail for the heights, added level by level: its deviation at the first level "
+            "as a share of the local relief, so that plains stay plain. 0: none; 0.15 suits "
+            "mountains",
+            0, 0, 10));
+        fields.push_back(number_field("DetailRoughness", "Detail roughness",
+                                      "Hurst exponent of the detail: 0 is raw, 2 smooth; terrain "
+                                      "mostly 0.5 to 0.9",
+                                      0.5, 0, 2));
+        fields.push_back(whole_field("Seed", "Detail seed",
+                                     "Another seed, another surface of the same character", 0, 0,
+                                     std::numeric_limits<int>::max()));
         fields.push_back(quads_field(facts.polygonal));
         return fields;
       },
@@ -39,6 +54,12 @@ Filter subdivide_filter() {
         options.levels = values.whole("Levels");
         options.boundary = chosen_boundary(values);
         options.coordinates = chosen_coordinates(values);
+        if (const double amount = values.number("DetailAmount"); amount > 0) {
+          options.detail.emplace();
+          options.detail->relief = amount;
+          options.detail->roughness = values.number("DetailRoughness");
+          options.detail->seed = static_cast<std::uint64_t>(values.whole("Seed"));
+        }
         Outcome outcome;
         outcome.refined = subdivided(mesh, chosen_scheme(values), options, report);
         outcome.keep_quads = values.flag("KeepQuads");
@@ -95,11 +116,11 @@ Filter smoothness_filter() {
 }  // namespace
 
 const std::vector<Filter>& filter_table() {
-  static const std::vector<Filter> table{
-      subdivide_filter(),
-      limit_filter(),
-      smoothness_filter(),
-      coarsen_filter(),
+  static const std::vector<Filter> table{subdivide_filter(), limit_filter(), smoothness_filter(),
+                                         coarsen_filter(),
+#ifdef ARETE_MESHLAB_WITH_CGAL
+                                         points_filter()
+#endif
   };
   return table;
 }

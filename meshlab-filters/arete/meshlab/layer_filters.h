@@ -7,5 +7,7 @@ namespace arete::meshlab {
 
 // Rows of the table whose result is a new layer.
 [[nodiscard]] Filter coarsen_filter();
+/// Only in builds with CGAL.
+[[nodiscard]] Filter points_filter();
 
 }  // namespace arete::meshlab

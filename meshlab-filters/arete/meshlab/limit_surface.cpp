@@ -89,50 +89,67 @@ class LimitPatch {
 
   // How far the results lie beside the vertices, in cells: down, right.
   [[nodiscard]] std::array<double, 2> shift() const {
-    return {to_double(y_plan(stencils_.limit).misplacement()),
-            to_double(x_plan(stencils_.limit).misplacement())};
+    return {to_double(y_plan(stencils_.limit, options_.boundary).misplacement()),
+            to_double(x_plan(stencils_.limit, options_.boundary).misplacement())};
   }
 
   [[nodiscard]] Planes positions() const {
     if (options_.coordinates == Coordinates::all) return filtered(stencils_.limit, stencils_.limit);
-    const Refiner<double> refiner(x_plan(stencils_.limit), y_plan(stencils_.limit), 0);
+    const Refiner<double> refiner(x_plan(stencils_.limit, options_.boundary),
+                                  y_plan(stencils_.limit, options_.boundary), 0);
     const auto [down, right] = shift();
     return {shifted(planes_[0], patch_, down, right), shifted(planes_[1], patch_, down, right),
             refined_plane(refiner, planes_[2], report_, 30, 60)};
   }
 
-  // Row by row; a vertex where the derivatives are parallel looks up.
+  // Row by row; 0 where the derivatives vanish or are parallel (reflected rims of all coordinates).
   [[nodiscard]] std::vector<Point3> normals() const {
     const Planes east = filtered(*stencils_.derivative, stencils_.limit);
     const Planes south = filtered(stencils_.limit, *stencils_.derivative);
+    const double least_east = 1e-9 * largest_length(east);
+    const double least_south = 1e-9 * largest_length(south);
     const double side = patch_.mirrored ? -1 : 1;
-    std::vector<Point3> result(patch_.vertices.size());
+    std::vector<Point3> result(patch_.vertices.size(), Point3{0, 0, 0});
     for (std::size_t i = 0; i < result.size(); ++i) {
-      const auto a = [&](std::size_t k) { return east[k].samples()[i]; };
-      const auto b = [&](std::size_t k) { return south[k].samples()[i]; };
-      const Point3 n{a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2),
-                     a(0) * b(1) - a(1) * b(0)};
-      const double length = std::hypot(n[0], n[1], n[2]);
-      if (length > 0)
+      const Point3 a = vector_of(east, i);
+      const Point3 b = vector_of(south, i);
+      const Point3 n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                     a[0] * b[1] - a[1] * b[0]};
+      const double length = length_of(n);
+      if (length_of(a) > least_east && length_of(b) > least_south &&
+          length > 1e-9 * length_of(a) * length_of(b))
         result[i] = {side * n[0] / length, side * n[1] / length, side * n[2] / length};
-      else
-        result[i] = {0, 0, 1};
     }
     return result;
   }
 
  private:
-  [[nodiscard]] AxisPlan x_plan(const Stencil& stencil) const {
-    return axis_plan(scheme_, patch_.extent.cols, patch_.wraps_cols, options_.boundary, stencil);
+  static Point3 vector_of(const Planes& planes, std::size_t i) {
+    return {planes[0].samples()[i], planes[1].samples()[i], planes[2].samples()[i]};
   }
-  [[nodiscard]] AxisPlan y_plan(const Stencil& stencil) const {
-    return axis_plan(scheme_, patch_.extent.rows, patch_.wraps_rows, options_.boundary, stencil);
+  static double length_of(const Point3& v) { return std::hypot(v[0], v[1], v[2]); }
+  static double largest_length(const Planes& planes) {
+    double largest = 0;
+    for (std::size_t i = 0; i < planes[0].samples().size(); ++i)
+      largest = std::max(largest, length_of(vector_of(planes, i)));
+    return largest;
+  }
+
+  [[nodiscard]] AxisPlan x_plan(const Stencil& stencil, Boundary boundary) const {
+    return axis_plan(scheme_, patch_.extent.cols, patch_.wraps_cols, boundary, stencil);
+  }
+  [[nodiscard]] AxisPlan y_plan(const Stencil& stencil, Boundary boundary) const {
+    return axis_plan(scheme_, patch_.extent.rows, patch_.wraps_rows, boundary, stencil);
   }
   [[nodiscard]] Planes filtered(const Stencil& along_rows, const Stencil& along_cols) const {
-    const Refiner<double> refiner(x_plan(along_rows), y_plan(along_cols), 0);
     Planes result;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k) {
+      // x and y of a height field run on in straight lines whatever its heights do.
+      const bool straight = options_.coordinates == Coordinates::heights && k < 2;
+      const Boundary boundary = straight ? Boundary::extrapolate : options_.boundary;
+      const Refiner<double> refiner(x_plan(along_rows, boundary), y_plan(along_cols, boundary), 0);
       result[k] = refined_plane(refiner, planes_[k], report_, 30, 60);
+    }
     return result;
   }
 
@@ -163,16 +180,12 @@ MovedMesh moved_to_limit(const MeshArrays& mesh, const Scheme& scheme,
   report.progress(20, "Computing limit stencils");
   const LimitStencils stencils = stencils_of(scheme);
   report.log("Scheme " + scheme.text());
-  const bool all_in_patches = [&] {
-    std::size_t inside = 0;
-    for (const GridPatch& patch : patches) inside += patch.vertices.size();
-    return inside == mesh.positions.size();
-  }();
 
   MovedMesh result;
   result.positions = mesh.positions;
   if (stencils.derivative) result.normals.assign(mesh.positions.size(), Point3{0, 0, 0});
   double largest_move = 0;
+  std::size_t without = 0;
   for (const GridPatch& patch : patches) {
     check_boundary(patch, options);
     const LimitPatch limits(mesh, patch, scheme, stencils, options, report);
@@ -186,8 +199,10 @@ MovedMesh moved_to_limit(const MeshArrays& mesh, const Scheme& scheme,
     }
     if (stencils.derivative) {
       const std::vector<Point3> normals = limits.normals();
-      for (std::size_t i = 0; i < normals.size(); ++i)
+      for (std::size_t i = 0; i < normals.size(); ++i) {
         result.normals[at(patch.vertices[i])] = normals[i];
+        if (normals[i] == Point3{0, 0, 0}) ++without;
+      }
     }
     const auto [down, right] = limits.shift();
     if (down != 0 || right != 0)
@@ -199,8 +214,10 @@ MovedMesh moved_to_limit(const MeshArrays& mesh, const Scheme& scheme,
   if (!stencils.derivative)
     report.log("The scheme is not certified C^1, so normals are those of the faces");
   else
-    report.log(all_in_patches ? "Normals are those of the limit surface"
-                              : "Normals are those of the limit surface (0 at loose vertices)");
+    report.log("Normals are those of the limit surface");
+  if (without > 0)
+    report.log("It has none at " + std::to_string(without) +
+               " vertices, which keep those of their faces");
   return result;
 }
 

@@ -66,7 +66,7 @@ struct CreatedMesh {
 /// New places for the vertices of a mesh; nothing else changes.
 struct MovedMesh {
   std::vector<Point3> positions;
-  std::vector<Point3> normals;  ///< of length 1; empty: to be computed from the faces
+  std::vector<Point3> normals;  ///< of length 1; 0, or empty: to be computed from the faces
 };
 
 }  // namespace arete::meshlab

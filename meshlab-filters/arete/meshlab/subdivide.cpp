@@ -75,7 +75,6 @@ class Subdivision {
 
  private:
   void refine_positions(const RefinedPatch& refined, const PatchPlan& plan, int begin, int end) {
-    const Refiner<double> refiner(plan.x, plan.y, 0);
     const std::size_t first = options_.coordinates == Coordinates::all ? 0 : 2;
     for (std::size_t k = 0; k < first; ++k) {
       const auto old = [&](int v) { return mesh_.positions[at(v)][k]; };
@@ -86,6 +85,7 @@ class Subdivision {
     const int share = (end - begin) / static_cast<int>(3 - first);
     for (std::size_t k = first; k < 3; ++k) {
       const int start = begin + share * static_cast<int>(k - first);
+      const Refiner<double> refiner(plan.x, plan.y, 0, k == 2 ? options_.detail : std::nullopt);
       const Grid<double> fine = refined_plane(refiner, coordinate_plane(mesh_, refined.old(), k),
                                               report_, start, start + share);
       for_each(refined, [&](Index r, Index c, int v) {
@@ -139,6 +139,10 @@ RefinedMesh subdivided(const MeshArrays& mesh, const Scheme& scheme,
   RefinedMesh result = subdivision.take();
 
   report.log("Scheme " + scheme.text());
+  if (options.detail && options.detail->relief > 0)
+    report.log("Detail of " + std::to_string(options.detail->relief) +
+               " of the local relief, roughness " + std::to_string(options.detail->roughness) +
+               ", seed " + std::to_string(options.detail->seed));
   if (patches.size() == 1)
     report.log("Refined a grid of " + size_text(patches[0].extent) + " vertices " +
                std::to_string(options.levels) + (options.levels == 1 ? " time" : " times"));

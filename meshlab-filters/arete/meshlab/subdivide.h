@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "arete/field/boundary.h"
 #include "arete/meshlab/mesh_arrays.h"
 #include "arete/meshlab/progress.h"
+#include "arete/refine/detail.h"
 #include "arete/scheme/scheme.h"
 
 namespace arete::meshlab {
@@ -18,6 +21,7 @@ struct SubdivideOptions {
   int levels = 1;
   Boundary boundary = Boundary::extrapolate;  ///< of open rims; what wraps is periodic anyway
   Coordinates coordinates = Coordinates::heights;
+  std::optional<Detail> detail{};  ///< random, added to the heights level by level
 };
 
 /// Refines every grid of the mesh by the scheme along rows and columns.
