@@ -286,6 +286,8 @@ void build_connectivity(ArrayKernel& mesh, const Rebuild& rebuild, int threads) 
   const auto faces = static_cast<std::size_t>(rebuild.faces);
   reserve_in_large_pages(mesh, vertices, edges, faces);
   mesh.resize(vertices, edges, faces);
+  // The setters for quads reach into the rows of others.
+  if (!EdgeStore::direct_is_right()) threads = 1;
   for (const RefinedPatch& patch : rebuild.patches) {
     PatchWriter writer(mesh, patch);
     for_each_band(patch.rows.fine(), band_rows, threads,

@@ -17,10 +17,9 @@ struct HalfEdgeFields {
 };
 
 /// Writes edges whole, one after the other. OpenMesh's own setters reach every half-edge from three
-/// places of the mesh, which takes twice as long; so where its records are laid out as
-/// HalfEdgeFields
-/// - asked of OpenMesh itself, see direct_is_right() - they are filled directly. To be made anew
-/// when the number of edges has changed.
+/// places of the mesh, which takes twice as long; so where its records are laid out like
+/// HalfEdgeFields (OpenMesh itself is asked, see direct_is_right()) they are filled directly. To be
+/// made anew when the number of edges has changed.
 class EdgeStore {
  public:
   explicit EdgeStore(OpenMesh::ArrayKernel& mesh, bool direct = direct_is_right())
