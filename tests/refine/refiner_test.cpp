@@ -99,6 +99,54 @@ TYPED_TEST(RefinerTest, any_cut_into_bands_and_any_thread_count_give_the_same_bi
   }
 }
 
+// Wider than a strip and larger than the cache; with and without holes; rows that begin anywhere.
+TYPED_TEST(RefinerTest, large_results_in_any_memory_and_tile_by_tile_are_the_same) {
+  using T = TypeParam;
+  for (const char* name : {"gentle", "four-point", "ternary-four-point", "ternary-two-step-9"}) {
+    const Scheme scheme = parse_scheme(name);
+    Grid<T> input = test::random_heights<T>({40, 450});
+    input(7, 300) = NAN;
+    RefineOptions options;
+    options.levels = scheme.mask().arity() == 2 ? 3 : scheme.mask().arity() == 3 ? 2 : 1;
+    const Refiner<T> refiner(scheme, input.extent(), options);
+    const GridSource<T> source(input.view());
+    const Extent size = refiner.output();
+
+    Grid<T> small_bands(size);
+    for (Index first = 0; first < size.rows; first += 16)
+      refiner.refine_rows(
+          source, first,
+          GridView<T>(small_bands.row(first), {std::min<Index>(16, size.rows - first), size.cols}));
+
+    // Gaps of 3 samples, which must stay as they are.
+    constexpr Index gap = 3;
+    std::vector<T> memory(static_cast<std::size_t>(1 + size.rows * (size.cols + gap)), T(-7777));
+    const GridView<T> wide(memory.data() + 1, size, size.cols + gap);
+    refiner.refine_rows(source, 0, wide);
+
+    Grid<T> tiles(size, T(-1));
+    refiner.for_each_tile(source, {0, size.rows - 1},
+                          [&](Index row, Index col, GridView<const T> tile) {
+                            for (Index r = 0; r < tile.rows(); ++r)
+                              std::copy_n(tile.row(r), tile.cols(), &tiles(row + r, col));
+                          });
+    EXPECT_TRUE(same_bits(tiles, small_bands)) << name;
+    const Plane<T> plane = refiner.plane(input.view());
+    for (Index r = 0; r < size.rows; ++r) {
+      ASSERT_EQ(std::memcmp(wide.row(r), small_bands.row(r),
+                            static_cast<std::size_t>(size.cols) * sizeof(T)),
+                0)
+          << name << " row " << r;
+      ASSERT_EQ(std::memcmp(plane.row(r), small_bands.row(r),
+                            static_cast<std::size_t>(size.cols) * sizeof(T)),
+                0)
+          << name << " row " << r;
+      ASSERT_EQ(reinterpret_cast<std::uintptr_t>(plane.row(r)) % Plane<T>::alignment, 0u);
+      for (Index g = 0; g < gap; ++g) ASSERT_EQ(wide.row(r)[size.cols + g], T(-7777));
+    }
+  }
+}
+
 TEST(refiner, the_order_of_rows_and_columns_does_not_matter) {
   const Grid<double> input = test::random_heights({9, 12});
   Grid<double> turned({12, 9});

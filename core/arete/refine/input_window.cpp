@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arete/refine/kernel/kernel.h"
+
 namespace arete {
 namespace {
 
@@ -56,17 +58,31 @@ Index InputWindow<T>::window_row(Index row) const {
 }
 
 template <class T>
-void InputWindow<T>::continued_row(Index index, T* out) const {
+void InputWindow<T>::continued_row(Index index, IndexRange columns, T* out) const {
   Continuation from{index, index, 0};
   if (boundaries_.y != Boundary::periodic) from = continued(boundaries_.y, index, extent_.rows);
   const T* near = samples_.data() + window_row(from.near) * extent_.cols;
-  if (from.steps == 0) {
-    std::copy_n(near, extent_.cols, out);
-    return;
-  }
   const T* far = samples_.data() + window_row(from.far) * extent_.cols;
   const T steps = static_cast<T>(from.steps);
-  for (Index c = 0; c < extent_.cols; ++c) out[c] = near[c] + steps * (near[c] - far[c]);
+  const auto sample = [&](Index c) {
+    return from.steps == 0 ? near[c] : near[c] + steps * (near[c] - far[c]);
+  };
+  const auto ghosts = [&](Index first, Index last) {
+    for (Index c = first; c <= last; ++c) {
+      const Continuation beside = continued(boundaries_.x, c, extent_.cols);
+      const T end = sample(beside.near);
+      out[c - columns.first] =
+          beside.steps == 0 ? end : end + static_cast<T>(beside.steps) * (end - sample(beside.far));
+    }
+  };
+  const Index first = std::max(columns.first, Index{0});
+  const Index last = std::min(columns.last, extent_.cols - 1);
+  ghosts(columns.first, std::min(columns.last, Index{-1}));
+  if (from.steps == 0 && first <= last)
+    std::copy(near + first, near + last + 1, out + (first - columns.first));
+  else
+    for (Index c = first; c <= last; ++c) out[c - columns.first] = sample(c);
+  ghosts(std::max(columns.first, extent_.cols), columns.last);
 }
 
 template <class T>
@@ -79,7 +95,7 @@ bool InputWindow<T>::valid(Index row, Index col) const {
 
 template <class T>
 void InputWindow<T>::mark_missing() {
-  complete_ = std::all_of(samples_.begin(), samples_.end(), [](T v) { return std::isfinite(v); });
+  complete_ = kernels<T>().all_finite(samples_.data(), static_cast<Index>(samples_.size()));
   if (complete_) return;
   valid_.resize(samples_.size());
   for (std::size_t i = 0; i < samples_.size(); ++i) {

@@ -28,8 +28,8 @@ class InputWindow {
   InputWindow(const RowSource<T>& source, IndexRange needed, Boundaries boundaries, Index reach);
 
   [[nodiscard]] Extent source_extent() const { return extent_; }
-  /// The level-0 row `index`, which may be a ghost row, columns 0..cols-1.
-  void continued_row(Index index, T* out) const;
+  /// The level-0 row `index` at the level-0 columns `columns`; either may be ghosts.
+  void continued_row(Index index, IndexRange columns, T* out) const;
 
   /// True when no sample of the window is missing.
   [[nodiscard]] bool complete() const { return complete_; }

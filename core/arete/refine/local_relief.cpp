@@ -27,7 +27,7 @@ std::vector<Span<T>> column_spans(const InputWindow<T>& input, Boundary y, Index
   std::vector<T> line(static_cast<std::size_t>(extent.cols));
   for (Index r = row - 1; r <= row + 1; ++r) {
     if (y != Boundary::periodic && (r < 0 || r >= extent.rows)) continue;
-    input.continued_row(r, line.data());
+    input.continued_row(r, {0, extent.cols - 1}, line.data());
     for (Index c = 0; c < extent.cols; ++c) {
       const T value = line[static_cast<std::size_t>(c)];
       if (input.valid(r, c)) spans[static_cast<std::size_t>(c)].include({value, value});

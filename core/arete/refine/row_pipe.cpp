@@ -2,8 +2,8 @@
 #include "arete/refine/row_pipe.h"
 
 #include <algorithm>
-
-#include "arete/refine/combine.h"
+#include <bit>
+#include <cstdint>
 
 namespace arete {
 namespace {
@@ -21,48 +21,125 @@ Index rows_at_hand(const PhasedRule<T>& rule) {
   return highest - lowest + 1;
 }
 
+template <class T>
+bool is_plain_one(const PhaseStencil<T>& stencil) {
+  return stencil.weights.size() == 1 && stencil.weights[0] == T(1);
+}
+
+// The last level is made in runs of so many columns of the level before, this row's horizontal
+// filter and the next row's vertical one in turn: the sums are long out of the store buffer when
+// they are read, and the memory always has stores to work on.
+constexpr Index run = 512;
+
+// Samples in a cache line, and so in the longest vector.
+template <class T>
+constexpr Index line_samples = static_cast<Index>(Workspace<T>::alignment / sizeof(T));
+
+template <class T>
+Index full_vectors(Index count) {
+  return (count + line_samples<T> - 1) / line_samples<T> * line_samples<T>;
+}
+
+// How many samples lie before the first cache line of a row.
+template <class T>
+Index before_line(const T* row) {
+  const auto beyond = reinterpret_cast<std::uintptr_t>(row) % Workspace<T>::alignment;
+  return static_cast<Index>((Workspace<T>::alignment - beyond) % Workspace<T>::alignment /
+                            sizeof(T));
+}
+
+// Cache lines that a row fills in part are written as usual, and the streamed stores behind them
+// wait until they have come from memory.
+template <class T>
+void fetch_edges(T* row, Index count) {
+  if (before_line(row) > 0) __builtin_prefetch(row, 1);
+  if (before_line(row + count) > 0) __builtin_prefetch(row + count - 1, 1);
+}
+
+// A row of a ring holds its columns, the last turn of those that make it, and slack.
+template <class T>
+Index ring_stride(Index columns, Index arity) {
+  return full_vectors<T>(columns) + full_vectors<T>(arity * line_samples<T>) + kernel_slack;
+}
+
 }  // namespace
 
 template <class T>
-RowPipe<T>::RowPipe(const std::vector<PhasedRule<T>>& y_rules, const AxisPlan& y,
-                    const std::vector<PhasedRule<T>>& x_rules, const AxisPlan& x,
-                    const InputWindow<T>& input, IndexRange outputs, Hook detail)
-    : y_rules_(y_rules),
-      x_rules_(x_rules),
+RowPipe<T>::RowPipe(const PipeRules<T>& rules, const AxisPlan& y, const AxisPlan& x,
+                    const InputWindow<T>& input, IndexRange rows, IndexRange columns,
+                    Workspace<T>& workspace, Hook detail)
+    : rules_(rules),
       input_(input),
+      kernels_(kernels<T>()),
       detail_(detail),
-      x_boundary_(x.boundary()),
-      depth_(y_rules.size()),
-      rings_(depth_),
-      result_columns_(x.ranges().back()),
-      next_result_(y.ranges().back().first + outputs.first) {
-  const std::vector<IndexRange> rows = y.ranges_for(outputs);
-  Index widest = result_columns_.count();
+      depth_(rules.y.size()),
+      rings_(depth_) {
+  const std::vector<IndexRange> row_ranges = y.ranges_for(rows);
+  const std::vector<IndexRange> column_ranges = x.ranges_for(columns);
+  result_columns_ = column_ranges.back();
+  next_result_ = row_ranges.back().first;
+  last_result_ = row_ranges.back().last;
+  Index total = 0;
+  Index widest_sums = 0;
   std::size_t most_taps = 1;
+  Index largest_arity = 1;
   for (std::size_t level = 0; level < depth_; ++level) {
     Ring& ring = rings_[level];
-    ring.columns = x.ranges()[level];
-    ring.height = rows_at_hand(y_rules[level]);
-    ring.next_row = rows[level].first;
-    ring.samples.resize(static_cast<std::size_t>(ring.height * ring.columns.count()));
-    widest = std::max(widest, ring.columns.count());
-    for (const auto* rule : {&y_rules[level], &x_rules[level]})
-      for (const PhaseStencil<T>& phase : rule->phases)
-        most_taps = std::max(most_taps, phase.weights.size());
+    ring.columns = column_ranges[level];
+    ring.width = full_vectors<T>(ring.columns.count());
+    // One row more, because the last level's vertical filter runs one row ahead.
+    ring.height = static_cast<Index>(
+        std::bit_ceil(static_cast<std::size_t>(rows_at_hand(rules.y[level]) + 1)));
+    ring.stride = ring_stride<T>(ring.columns.count(), level > 0 ? rules.x[level - 1].arity : 1);
+    ring.next_row = row_ranges[level].first;
+    const Index arity = rules.x[level].arity;
+    ring.strands = strands_at(level, column_ranges[level + 1].first);
+    ring.turns = full_vectors<T>((column_ranges[level + 1].count() + arity - 1) / arity);
+    total += ring.height * ring.stride;
+    widest_sums = std::max(widest_sums, ring.stride);
+    largest_arity = std::max(largest_arity, arity);
+    for (const PhaseStencil<T>& phase : rules.y[level].phases)
+      most_taps = std::max(most_taps, phase.weights.size());
   }
-  column_sums_.resize(static_cast<std::size_t>(widest));
-  phase_line_.resize(static_cast<std::size_t>(widest));
-  other_line_.resize(static_cast<std::size_t>(widest));
+  const Index result_stride = Workspace<T>::stride(result_columns_.count(), kernel_slack);
+  workspace.restart(total + 3 * widest_sums + result_stride);
+  for (Ring& ring : rings_) ring.samples = workspace.take(ring.height * ring.stride);
+  for (Vertical* vertical : {&lower_, &last_[0], &last_[1]})
+    vertical->sums = workspace.take(widest_sums);
+  result_line_ = workspace.take(result_stride);
   lines_.resize(most_taps);
+  strands_.resize(static_cast<std::size_t>(largest_arity));
+  cuts_.resize(static_cast<std::size_t>(line_samples<T>));
+  edge_.resize(static_cast<std::size_t>(line_samples<T> + largest_arity));
 }
 
 template <class T>
-void RowPipe<T>::next(T* out) {
+void RowPipe<T>::next(T* out, bool stream, T* upcoming) {
   const Index row = next_result_++;
-  if (depth_ == 0)
-    read_input_row(row, out);
-  else
-    compute_row(depth_ - 1, row, out);
+  if (stream && upcoming != nullptr) fetch_edges(upcoming, result_columns_.count());
+  if (depth_ == 0) {
+    input_.continued_row(row, result_columns_, out);
+    return;
+  }
+  const std::size_t level = depth_ - 1;
+  Vertical& now = last_[turn_];
+  Vertical& after = last_[1 - turn_];
+  turn_ = 1 - turn_;
+  if (!ahead_) {
+    open_vertical(level, row, now);
+    combine_columns(now, 0, rings_[level].width);
+  }
+  ahead_ = row < last_result_;
+  if (ahead_) open_vertical(level, row + 1, after);
+  const Vertical* ahead = ahead_ && after.line == after.sums ? &after : nullptr;
+  if (!displaced(level)) {
+    emit(level, now.line, out, stream, ahead);
+    return;
+  }
+  emit(level, now.line, result_line_, false, ahead);
+  detail_.displacement->add(level, row, result_columns_, *detail_.relief, result_line_,
+                            relief_line_);
+  emit_line(result_line_, out, stream);
 }
 
 // Makes every row of the level up to `row` available in its ring.
@@ -70,92 +147,134 @@ template <class T>
 void RowPipe<T>::advance(std::size_t level, Index row) {
   Ring& ring = rings_[level];
   for (; ring.next_row <= row; ++ring.next_row) {
+    T* out = ring.row(ring.next_row);
     if (level == 0)
-      read_input_row(ring.next_row, ring.row(ring.next_row));
+      input_.continued_row(ring.next_row, ring.columns, out);
     else
-      compute_row(level - 1, ring.next_row, ring.row(ring.next_row));
+      compute_row(level - 1, ring.next_row, out);
   }
 }
 
-template <class T>
-void RowPipe<T>::read_input_row(Index row, T* out) {
-  const IndexRange columns = depth_ == 0 ? result_columns_ : rings_[0].columns;
-  const Index count = input_.source_extent().cols;
-  column_sums_.resize(std::max(column_sums_.size(), static_cast<std::size_t>(count)));
-  T* line = column_sums_.data();
-  input_.continued_row(row, line);
-  for (Index c = columns.first; c <= columns.last; ++c) {
-    const Continuation from = continued(x_boundary_, c, count);
-    out[c - columns.first] =
-        from.steps == 0
-            ? line[from.near]
-            : line[from.near] + static_cast<T>(from.steps) * (line[from.near] - line[from.far]);
-  }
-}
-
-// Row `row` of level + 1 from the rows of `level`.
+// Row `row` of level + 1, in a ring, from the rows of `level`.
 template <class T>
 void RowPipe<T>::compute_row(std::size_t level, Index row, T* out) {
-  filter_row(level, row, out);
-  if (detail_.displacement == nullptr || !detail_.displacement->displaces(level)) return;
-  const IndexRange columns = level + 1 == depth_ ? result_columns_ : rings_[level + 1].columns;
-  detail_.displacement->add(level, row, columns, *detail_.relief, out, relief_line_);
+  open_vertical(level, row, lower_);
+  const Ring& ring = rings_[level];
+  combine_columns(lower_, 0, ring.width);
+  put_on(ring.strands, lower_.line);
+  // The last vectors may reach into the slack.
+  kernels_.weave(out, strands_.data(), rules_.x[level].arity, ring.turns, false);
+  if (displaced(level))
+    detail_.displacement->add(level, row, rings_[level + 1].columns, *detail_.relief, out,
+                              relief_line_);
+}
+
+// The vertical filter of row `row` of level + 1; the rows it reads are made, and put in lines_.
+template <class T>
+void RowPipe<T>::open_vertical(std::size_t level, Index row, Vertical& vertical) {
+  const PhasedRule<T>& rule = rules_.y[level];
+  const Index q = floor_divide(row, rule.arity);
+  const PhaseStencil<T>& stencil = rule.phases[static_cast<std::size_t>(row - rule.arity * q)];
+  const Index taps = static_cast<Index>(stencil.weights.size());
+  advance(level, q + stencil.first + taps - 1);
+  const Ring& ring = rings_[level];
+  for (Index i = 0; i < taps; ++i)
+    lines_[static_cast<std::size_t>(i)] = ring.row(q + stencil.first + i);
+  vertical.weights = stencil.weights.data();
+  vertical.taps = static_cast<int>(taps);
+  vertical.line = is_plain_one(stencil) ? lines_[0] : vertical.sums;
+}
+
+// The vertical filter of `count` columns from the first + `first` on. Its rows are in lines_.
+template <class T>
+void RowPipe<T>::combine_columns(const Vertical& vertical, Index first, Index count) {
+  if (vertical.line != vertical.sums || count < 1) return;
+  kernels_.combine(vertical.sums + first, lines_.data(), first, vertical.weights, vertical.taps,
+                   count);
+}
+
+// Strands for the columns from `column` on, of the level that rule `level` makes, out of a row at
+// address 0 whose first sample is that of the ring.
+template <class T>
+std::vector<typename RowPipe<T>::Placed> RowPipe<T>::strands_at(std::size_t level,
+                                                                Index column) const {
+  const PhasedRule<T>& rule = rules_.x[level];
+  std::vector<Placed> strands;
+  for (Index i = column; i < column + rule.arity; ++i) {
+    const Index q = floor_divide(i, rule.arity);
+    const PhaseStencil<T>& stencil = rule.phases[static_cast<std::size_t>(i - rule.arity * q)];
+    strands.push_back({q + stencil.first - rings_[level].columns.first, stencil.weights.data(),
+                       static_cast<int>(stencil.weights.size())});
+  }
+  return strands;
 }
 
 template <class T>
-void RowPipe<T>::filter_row(std::size_t level, Index row, T* out) {
-  const PhasedRule<T>& vertical = y_rules_[level];
-  const Index q = floor_divide(row, vertical.arity);
-  const PhaseStencil<T>& stencil =
-      vertical.phases[static_cast<std::size_t>(row - vertical.arity * q)];
-  const int rows = static_cast<int>(stencil.weights.size());
-  advance(level, q + stencil.first + rows - 1);
-  Ring& ring = rings_[level];
-  for (int i = 0; i < rows; ++i)
-    lines_[static_cast<std::size_t>(i)] = ring.row(q + stencil.first + i);
-  T* sums = column_sums_.data();
-  combine(sums, lines_.data(), stencil.weights.data(), rows, ring.columns.count());
+void RowPipe<T>::put_on(const std::vector<Placed>& strands, const T* line) {
+  for (std::size_t i = 0; i < strands.size(); ++i)
+    strands_[i] = {line + strands[i].offset, strands[i].weights, strands[i].taps};
+}
 
-  const PhasedRule<T>& horizontal = x_rules_[level];
-  const IndexRange columns = level + 1 == depth_ ? result_columns_ : rings_[level + 1].columns;
-  // The columns of phase r are k = m t + r for t in [first, last].
-  const auto turns = [&](Index r) {
-    return IndexRange{ceil_divide(columns.first - r, horizontal.arity),
-                      floor_divide(columns.last - r, horizontal.arity)};
-  };
-  const auto filter = [&](Index r, IndexRange t, T* line) {
-    const PhaseStencil<T>& phase = horizontal.phases[static_cast<std::size_t>(r)];
-    const int taps = static_cast<int>(phase.weights.size());
-    for (int i = 0; i < taps; ++i)
-      lines_[static_cast<std::size_t>(i)] = sums + (t.first + phase.first + i - ring.columns.first);
-    combine(line, lines_.data(), phase.weights.data(), taps, t.count());
-  };
-  if (horizontal.arity == 1) {
-    filter(0, columns, out);
-    return;
+template <class T>
+const typename RowPipe<T>::Cut& RowPipe<T>::cut_at(std::size_t level, Index head) {
+  Cut& cut = cuts_[static_cast<std::size_t>(head)];
+  if (cut.turns >= 0) return cut;
+  const Index arity = rules_.x[level].arity;
+  const Index first = result_columns_.first;
+  const Index count = result_columns_.count();
+  cut.turns = (count - head) / arity;
+  cut.tail = count - head - cut.turns * arity;
+  cut.head_strands = strands_at(level, first);
+  cut.strands = strands_at(level, first + head);
+  cut.tail_strands = strands_at(level, first + count - cut.tail);
+  return cut;
+}
+
+// Fewer samples than a cache line holds.
+template <class T>
+void RowPipe<T>::emit_edge(const std::vector<Placed>& strands, const T* line, Index count, T* out) {
+  if (count < 1) return;
+  const auto arity = static_cast<Index>(strands.size());
+  put_on(strands, line);
+  kernels_.weave(edge_.data(), strands_.data(), static_cast<int>(arity),
+                 (count + arity - 1) / arity, false);
+  std::copy_n(edge_.data(), count, out);
+}
+
+// A result row, and the vertical filter of the next one on the way.
+template <class T>
+void RowPipe<T>::emit(std::size_t level, const T* line, T* out, bool stream,
+                      const Vertical* ahead) {
+  const Index head = std::min(result_columns_.count(), before_line(out));
+  const Cut& cut = cut_at(level, head);
+  emit_edge(cut.head_strands, line, head, out);
+  put_on(cut.strands, line);
+  const auto arity = static_cast<Index>(cut.strands.size());
+  const Index width = rings_[level].width;
+  Index combined = 0;
+  T* to = out + head;
+  for (Index t = 0; t < cut.turns; t += run) {
+    const Index turns = std::min(run, cut.turns - t);
+    kernels_.weave(to, strands_.data(), static_cast<int>(arity), turns, stream);
+    to += turns * arity;
+    for (Index i = 0; i < arity; ++i) strands_[static_cast<std::size_t>(i)].line += turns;
+    if (ahead == nullptr) continue;
+    const Index columns = std::min(run, width - combined);
+    combine_columns(*ahead, combined, columns);
+    combined += columns;
   }
-  if (horizontal.arity == 2) {
-    const IndexRange even = turns(0);
-    const IndexRange odd = turns(1);
-    filter(0, even, phase_line_.data());
-    filter(1, odd, other_line_.data());
-    // Either line may begin or end one sample before the other.
-    const bool odd_first = odd.first < even.first;
-    if (odd_first) out[0] = other_line_[0];
-    T* paired = out + (odd_first ? 1 : 0);
-    const T* odd_line = other_line_.data() + (odd_first ? 1 : 0);
-    const Index pairs = std::min(even.count(), odd.count() - (odd_first ? 1 : 0));
-    interleave(paired, phase_line_.data(), odd_line, pairs);
-    if (even.count() > pairs) paired[2 * pairs] = phase_line_[static_cast<std::size_t>(pairs)];
-    return;
-  }
-  for (Index r = 0; r < horizontal.arity; ++r) {
-    const IndexRange t = turns(r);
-    if (t.count() < 1) continue;
-    filter(r, t, phase_line_.data());
-    scatter(out + (horizontal.arity * t.first + r - columns.first), phase_line_.data(),
-            horizontal.arity, t.count());
-  }
+  if (ahead != nullptr) combine_columns(*ahead, combined, width - combined);
+  emit_edge(cut.tail_strands, line, cut.tail, to);
+}
+
+template <class T>
+void RowPipe<T>::emit_line(const T* line, T* out, bool stream) {
+  const Index count = result_columns_.count();
+  const Index head = std::min(count, before_line(out));
+  std::copy_n(line, head, out);
+  const T one = 1;
+  const Strand<T> strand{line + head, &one, 1};
+  kernels_.weave(out + head, &strand, 1, count - head, stream);
 }
 
 template class RowPipe<float>;

@@ -85,10 +85,11 @@ struct GeoTiffWriter::State {
   GDALDataset* dataset = nullptr;
   ErrorCollector errors;
 
-  [[noreturn]] void fail() const {
-    throw RasterError(path + " cannot be written (GDAL: " + errors.message() +
+  [[noreturn]] void fail(const ErrorCollector& why) const {
+    throw RasterError(path + " cannot be written (GDAL: " + why.message() +
                       "); check free space and permissions");
   }
+  [[noreturn]] void fail() const { fail(errors); }
 };
 
 GeoTiffWriter::GeoTiffWriter(const std::string& path, const GeoTiffSpec& spec)
@@ -129,12 +130,14 @@ Index GeoTiffWriter::block_rows() const {
 template <class T>
 void GeoTiffWriter::write(int band, Index first_row, GridView<const T> rows) {
   constexpr GDALDataType type = std::is_same_v<T, float> ? GDT_Float32 : GDT_Float64;
+  // The thread that writes need not be the one that the writer was made in.
+  const ErrorCollector errors;
   const auto status = state_->dataset->GetRasterBand(band)->RasterIO(
       GF_Write, 0, static_cast<int>(first_row), static_cast<int>(rows.cols()),
       static_cast<int>(rows.rows()), const_cast<T*>(rows.row(0)), static_cast<int>(rows.cols()),
       static_cast<int>(rows.rows()), type, sizeof(T),
       static_cast<GSpacing>(rows.stride()) * static_cast<GSpacing>(sizeof(T)), nullptr);
-  if (status != CE_None || state_->errors.failed()) state_->fail();
+  if (status != CE_None || errors.failed()) state_->fail(errors);
 }
 
 void GeoTiffWriter::close() {

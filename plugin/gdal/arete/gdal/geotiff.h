@@ -40,7 +40,8 @@ class GeoTiffWriter {
 
   [[nodiscard]] Index block_rows() const;
 
-  /// Writes the rows first_row.. of band number `band` (from 1). \throws RasterError (disk full).
+  /// Writes the rows first_row.. of band number `band` (from 1); from any thread, one at a time.
+  /// \throws RasterError (disk full).
   template <class T>
   void write(int band, Index first_row, GridView<const T> rows);
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "arete/gdal/band_source.h"
+#include "arete/gdal/write_behind.h"
 
 namespace arete::gdal {
 namespace {
@@ -29,9 +30,16 @@ void encode_missing(GridView<T> rows, T nodata) {
 }
 
 template <class T>
-void refine_bands(const Raster& input, GeoTiffWriter& writer, const Refiner<T>& refiner,
+bool has_valid(GridView<const T> rows) {
+  for (Index r = 0; r < rows.rows(); ++r)
+    if (!std::all_of(rows.row(r), rows.row(r) + rows.cols(), [](T v) { return std::isnan(v); }))
+      return true;
+  return false;
+}
+
+template <class T>
+void refine_bands(const Raster& input, WriteBehind<T>& output, const Refiner<T>& refiner,
                   const std::optional<double>& nodata, Index chunk, const Progress& progress) {
-  Grid<T> rows({chunk, refiner.output().cols});
   const Index height = refiner.output().rows;
   const double total = static_cast<double>(height) * static_cast<double>(input.bands().size());
   double done = 0;
@@ -42,17 +50,16 @@ void refine_bands(const Raster& input, GeoTiffWriter& writer, const Refiner<T>& 
     ++number;
     for (Index first = 0; first < height; first += chunk) {
       const Index count = std::min(chunk, height - first);
-      const GridView<T> part(rows.row(0), {count, rows.cols()});
+      const GridView<T> part = output.buffer(count);
       refiner.refine_rows(source, first, part);
-      for (Index r = 0; r < count && !any_valid; ++r)
-        any_valid = std::any_of(part.row(r), part.row(r) + part.cols(),
-                                [](T value) { return !std::isnan(value); });
+      any_valid = any_valid || has_valid<T>(part);
       if (nodata) encode_missing(part, static_cast<T>(*nodata));
-      writer.write<T>(number, first, part);
+      output.write(number, first, part);
       done += static_cast<double>(count);
       if (progress) progress(done / total);
     }
   }
+  output.finish();
   if (!any_valid)
     throw RasterError(input.path() +
                       " has no valid result: no four neighbouring samples are all "
@@ -71,18 +78,24 @@ RasterReport refine_as(const Raster& input, const std::string& output, const Sch
   // A row of tiles must stay in GDAL's cache until it is full.
   constexpr double block_rows = 256;
   limit_cache(std::max(64e6, 1.5 * block_rows * row_bytes));
-  const double least = working + 2.5 * block_rows * row_bytes;
+  // The rows of tiles in the cache, and those that are filled and written.
+  const bool overlap = options.threads != 1;
+  const double buffers = overlap ? 2 : 1;
+  const double least = working + (1.5 + buffers) * block_rows * row_bytes;
   if (least > form.max_memory)
     throw RasterError("refining " + input.path() + " needs " + megabytes(least) +
                       " of memory, more than the " + megabytes(form.max_memory) +
                       " allowed; raise --max-memory or use fewer levels");
   GeoTiffWriter writer(output, spec);
   const Index block = std::max<Index>(1, writer.block_rows());
-  const auto affordable =
-      static_cast<Index>((form.max_memory - working) / row_bytes / static_cast<double>(block));
   // A few rows of tiles at a time give every thread work; more would only take memory.
-  const Index chunk = block * std::clamp<Index>(affordable - 1, 1, 4);
-  refine_bands(input, writer, refiner, spec.nodata, chunk, progress);
+  constexpr double usual = 64e6;
+  const double affordable = std::min(usual, (form.max_memory - working) / (1.5 + buffers));
+  const Index chunk =
+      block * std::clamp<Index>(static_cast<Index>(affordable / row_bytes) / block, 1, 4);
+  WriteBehind<T> behind(writer, {std::min(chunk, refiner.output().rows), refiner.output().cols},
+                        overlap);
+  refine_bands(input, behind, refiner, spec.nodata, chunk, progress);
   writer.close();
   return {input.extent(), refiner.output(), static_cast<int>(input.bands().size()),
           to_double(refiner.x().misplacement()), to_double(refiner.y().misplacement())};
