@@ -69,9 +69,10 @@ void combine_fixed(T* __restrict out, const T* const* lines, const T* weights, i
   constexpr int lanes = V<T>::lanes;
   Index c = 0;
   for (; c + lanes <= count; c += lanes)
-    V<T>::store(out + c, sum_of<T, Taps>(weights, taps, [&](int j) [[gnu::always_inline]] {
-                  return V<T>::load(lines[j] + c);
-                }));
+    V<T>::store(out + c, sum_of<T, Taps>(
+                             weights, taps, [&](int j) __attribute__((always_inline)) {
+                               return V<T>::load(lines[j] + c);
+                             }));
   for (; c < count; ++c) {
     T sum = taps > 0 ? weights[0] * lines[0][c] : T(0);
     for (int j = 1; j < taps; ++j) sum = sum + weights[j] * lines[j][c];
@@ -196,8 +197,9 @@ template <class T, int Arity>
 template <class T, int Taps>
 [[gnu::always_inline]] inline Vec<T> strand_sum(const Strand<T>& strand, Index t) {
   const T* line = strand.line + t;
-  return sum_of<T, Taps>(strand.weights, strand.taps,
-                         [&](int j) [[gnu::always_inline]] { return V<T>::load(line + j); });
+  return sum_of<T, Taps>(
+      strand.weights,
+      strand.taps, [&](int j) __attribute__((always_inline)) { return V<T>::load(line + j); });
 }
 
 template <class T>
@@ -257,19 +259,21 @@ void weave_pair(T* __restrict out, const Strand<T>* strands, Index turns, bool s
   for (int j = 0; j < B; ++j) weights_b[j] = strands[1].weights[j];
   const Strand<T> a{strands[0].line, weights_a, A};
   const Strand<T> b{strands[1].line, weights_b, B};
-  weave_blocks<T, 2>(out, turns, stream, [&](Index t, Vec<T>* woven) [[gnu::always_inline]] {
-    weave_two<T>(strand_sum<T, A>(a, t), strand_sum<T, B>(b, t), woven);
-  });
+  weave_blocks<T, 2>(
+      out, turns, stream, [&](Index t, Vec<T> * woven) __attribute__((always_inline)) {
+        weave_two<T>(strand_sum<T, A>(a, t), strand_sum<T, B>(b, t), woven);
+      });
 }
 
 template <class T, int Arity>
 void weave_some(T* __restrict out, const Strand<T>* strands, Index turns, bool stream) {
-  weave_blocks<T, Arity>(out, turns, stream, [&](Index t, Vec<T>* woven) [[gnu::always_inline]] {
-    Vec<T> phases[Arity];
+  weave_blocks<T, Arity>(
+      out, turns, stream, [&](Index t, Vec<T> * woven) __attribute__((always_inline)) {
+        Vec<T> phases[Arity];
 #pragma GCC unroll 9
-    for (int i = 0; i < Arity; ++i) phases[i] = strand_sum_of_any<T>(strands[i], t);
-    weave_vectors<T, Arity>(phases, woven);
-  });
+        for (int i = 0; i < Arity; ++i) phases[i] = strand_sum_of_any<T>(strands[i], t);
+        weave_vectors<T, Arity>(phases, woven);
+      });
 }
 
 template <class T>
