@@ -25,12 +25,16 @@ const std::map<std::string, Names> core_may_include{
     {"reverse", {"algebra", "scheme", "field", "refine", "reverse"}},
     {"fractal", {"algebra", "scheme", "field", "fractal"}},
     {"variational", {"algebra", "scheme", "field", "variational"}},
+    {"metrics", {"field", "metrics"}},
+    {"fit",
+     {"algebra", "scheme", "analysis", "field", "refine", "variational", "metrics", "fit"}},
 };
 const Names adapters{"openmesh", "gdal", "cgal", "vtk", "paraview", "opensubdiv"};
 
 // Third parties by the beginning of their headers' names, and the rooms that may see them.
 const std::map<std::string, Names> third_parties{{"boost/multiprecision/", {"core"}},
                                                  {"Eigen/", {"core"}},
+                                                 {"unsupported/Eigen/", {"core"}},
                                                  {"tbb/", {"core"}},
                                                  {"gdal", {"gdal"}},
                                                  {"ogr", {"gdal"}},
