@@ -51,10 +51,13 @@ int run(int argc, char** argv) {
   cli::add_ifs(program, job);
   cli::add_spline(program, job);
   cli::add_minimal(program, job);
+  cli::add_grid(program, job);
   cli::add_refine(program, job);
   cli::add_coarsen(program, job);
   cli::add_restore(program, job);
   cli::add_contour(program, job);
+  cli::add_compare(program, job);
+  cli::add_fit(program, job);
   cli::add_render(program, job);
   cli::add_generate(program, job);
   cli::add_validate(program, job);

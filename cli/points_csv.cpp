@@ -4,41 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <optional>
 
 #include "cli/error.h"
+#include "cli/text_cells.h"
 
 namespace arete::cli {
 namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
-  const bool marked = line.find_first_of(",;\t") != std::string::npos;
-  std::vector<std::string> cells;
-  std::string cell;
-  const auto finish = [&] {
-    const auto first = cell.find_first_not_of(" \"");
-    const auto last = cell.find_last_not_of(" \"");
-    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
-    cell.clear();
-  };
-  for (const char c : line) {
-    const bool separator = marked ? c == ',' || c == ';' || c == '\t' : c == ' ';
-    if (!separator)
-      cell += c;
-    else if (marked || !cell.empty())
-      finish();
-  }
-  if (marked || !cell.empty()) finish();
-  return cells;
-}
-
-std::optional<double> number_in(const std::string& cell) {
-  double value = 0;
-  const char* begin = cell.data() + (!cell.empty() && cell.front() == '+' ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
-  if (error != std::errc{} || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
-}
 
 std::string place(const std::string& path, int line) {
   return path + ", line " + std::to_string(line);

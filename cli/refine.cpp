@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // arete refine: a coarse raster or mesh in, a fine one (or a VTK file) out.
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -9,9 +10,11 @@
 
 #include "arete/analysis/limit_stencil.h"
 #include "arete/gdal/refine_raster.h"
+#include "cli/detail_statistics.h"
 #include "cli/disk_space.h"
 #include "cli/error.h"
 #include "cli/interruption.h"
+#include "cli/json_number.h"
 #include "cli/memory_size.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
@@ -139,8 +142,29 @@ void refine_mesh(const RefineArguments& arguments) {
 }
 #endif
 
+Json detail_json(const Detail& detail, const DetailStatistics& statistics) {
+  const auto slope = [](const std::optional<SpectralSlope>& s) {
+    return s ? number_or_null(s->slope) : Json(nullptr);
+  };
+  return {{"roughness", detail.roughness},
+          {"relief", detail.relief},
+          {"seed", detail.seed},
+          {"spectral_slope",
+           {{"before", slope(statistics.before)}, {"after", slope(statistics.after)}}}};
+}
+
+void report_detail(const Detail& detail, const DetailStatistics& statistics) {
+  if (!statistics.after) return;
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(2) << "detail: the power of profiles falls as k^"
+       << statistics.after->slope << " in the new octaves (roughness " << detail.roughness
+       << " asks for k^" << -(2 * detail.roughness + 1) << ")";
+  if (statistics.before) line << ", in those of the input as k^" << statistics.before->slope;
+  std::cout << line.str() << '\n';
+}
+
 void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
-            const gdal::RasterReport& done, double seconds) {
+            const gdal::RasterReport& done, const DetailStatistics& statistics, double seconds) {
   const double samples =
       static_cast<double>(done.output.rows) * static_cast<double>(done.output.cols) * done.bands;
   const double speed = seconds > 0 ? samples / seconds : 0;
@@ -155,8 +179,7 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
     object["samples_per_second"] = speed;
     object["threads"] = threads;
     if (const auto detail = detail_from(arguments))
-      object["detail"] = {
-          {"roughness", detail->roughness}, {"relief", detail->relief}, {"seed", detail->seed}};
+      object["detail"] = detail_json(*detail, statistics);
     object["misplacement"] = {{"x", done.misplacement_x}, {"y", done.misplacement_y}};
     std::cout << object.dump(2) << '\n';
     return;
@@ -170,6 +193,7 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
        << std::setprecision(2) << ", " << seconds << " s, " << std::setprecision(1) << speed / 1e6
        << " M samples/s";
   std::cout << line.str() << '\n';
+  if (const auto detail = detail_from(arguments)) report_detail(*detail, statistics);
   if (done.misplacement_x != 0 || done.misplacement_y != 0)
     std::cout << "note: this scheme's samples do not fall on the cell centres asked for; they are "
                  "written where they lie, "
@@ -224,10 +248,14 @@ void refine(const RefineArguments& arguments) {
 #endif
   }
   stop_if_interrupted();
+  DetailStatistics statistics;
+  if (options.detail && form == ".tif")
+    statistics = detail_statistics(input, gdal::Raster(output.temporary().string()),
+                                   std::pow(x.mask().arity(), options.levels));
   output.commit();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report(arguments, x, y, done, seconds);
+  report(arguments, x, y, done, statistics, seconds);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <mutex>
 
+#include "arete/gdal/reference_system.h"
 #include "arete/gdal/remote.h"
 
 namespace arete::gdal {
@@ -27,16 +28,6 @@ Metadata to_metadata(char** list) {
   return metadata;
 }
 
-std::string to_wkt(const OGRSpatialReference* reference) {
-  if (reference == nullptr) return {};
-  char* text = nullptr;
-  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-  std::string wkt;
-  if (reference->exportToWkt(&text, options) == OGRERR_NONE && text != nullptr) wkt = text;
-  CPLFree(text);
-  return wkt;
-}
-
 }  // namespace
 
 void register_formats() {
@@ -49,10 +40,7 @@ void limit_cache(double bytes) { GDALSetCacheMax64(static_cast<GIntBig>(bytes));
 void Raster::Close::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 
 Raster::Raster(const std::string& path) : path_(path) {
-  if (remote_access_forbidden() && is_remote(path))
-    throw RasterError(path +
-                      " lies on a network, which is not asked unless --allow-remote is given; "
-                      "download it, or give that option");
+  refuse_forbidden(path);
   register_formats();
   const ErrorCollector errors;
   VSIStatBufL status;
@@ -127,7 +115,7 @@ void Raster::read_reference() {
     georeference_ = Georeference{affine, point ? Registration::point : Registration::area};
   }
   if (const OGRSpatialReference* reference = dataset_->GetSpatialRef()) {
-    crs_ = to_wkt(reference);
+    crs_ = wkt_of(reference);
     geographic_ = reference->IsGeographic() != 0;
   }
   const GDAL_GCP* points = dataset_->GetGCPs();
@@ -135,7 +123,7 @@ void Raster::read_reference() {
     control_points_.push_back({points[i].pszId, points[i].pszInfo, points[i].dfGCPPixel,
                                points[i].dfGCPLine, points[i].dfGCPX, points[i].dfGCPY,
                                points[i].dfGCPZ});
-  control_point_crs_ = to_wkt(dataset_->GetGCPSpatialRef());
+  control_point_crs_ = wkt_of(dataset_->GetGCPSpatialRef());
 }
 
 }  // namespace arete::gdal

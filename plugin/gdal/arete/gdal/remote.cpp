@@ -66,4 +66,11 @@ void forbid_remote_access() {
 
 bool remote_access_forbidden() { return forbidden; }
 
+void refuse_forbidden(const std::string& path) {
+  if (remote_access_forbidden() && is_remote(path))
+    throw RasterError(path +
+                      " lies on a network, which is not asked unless --allow-remote is given; "
+                      "download it, or give that option");
+}
+
 }  // namespace arete::gdal

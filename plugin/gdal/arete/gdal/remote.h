@@ -17,4 +17,7 @@ void forbid_remote_access();
 /// Whether forbid_remote_access() was called.
 [[nodiscard]] bool remote_access_forbidden();
 
+/// \throws RasterError for a remote name after that.
+void refuse_forbidden(const std::string& path);
+
 }  // namespace arete::gdal
