@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 
+#include "arete/analysis/polynomial.h"
 #include "arete/fit/fit_scheme.h"
 #include "arete/gdal/band_source.h"
 #include "arete/gdal/resample.h"
@@ -90,7 +91,8 @@ class Table {
   template <class Predict>
   void add(const std::string& name, const Predict& predict,
            double cross_validated = std::numeric_limits<double>::quiet_NaN()) {
-    Row row{name};
+    Row row;
+    row.name = name;
     row.cross_validated = cross_validated;
     try {
       measure(predict(), row);
@@ -173,7 +175,9 @@ FitOutcome fit_and_compare(const FitArguments& a, const Scheme& scheme, const Fi
                       [&](double share) { progress.show(from + (to - from) * share); });
   };
   if (a.mode != "interpolating") outcome.direct = fitted(Prediction::direct, 0, 0.4);
-  if (a.mode != "direct") {
+  // What interpolates already has only one mode.
+  const bool interpolates = outcome.direct && is_interpolatory(outcome.direct->scheme.mask());
+  if (a.mode != "direct" && !interpolates) {
     try {
       outcome.interpolating = fitted(Prediction::interpolating, 0.4, 0.8);
     } catch (const InvalidScheme& error) {
@@ -200,7 +204,8 @@ FitOutcome fit_and_compare(const FitArguments& a, const Scheme& scheme, const Fi
     });
   }
   for (const char* text : {"four-point:omega=1/16", "dubuc-deslauriers:points=6"})
-    if (scheme.text() != text) table.add_scheme(text, parse_scheme(text), Prediction::direct);
+    if (!(scheme.mask() == parse_scheme(text).mask()))
+      table.add_scheme(text, parse_scheme(text), Prediction::direct);
   progress.show(0.9);
   for (const char* kernel : {"bilinear", "cubic", "cubicspline", "lanczos"})
     table.add(std::string("gdalwarp -r ") + kernel,
@@ -215,8 +220,24 @@ Json spectrum_json(const std::optional<SpectralSlope>& spectrum) {
   return spectrum ? Json(spectrum->slope) : Json(nullptr);
 }
 
+// The scheme's text with decimals where they are exact, which most readers prefer to twelve-digit
+// fractions.
+std::string decimal_text(const Scheme& scheme) {
+  std::string text;
+  for (const ParameterValue& value : scheme.parameters()) {
+    text += (text.empty() ? ":" : ",") + value.name + "=";
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+      std::ostringstream decimal;
+      decimal << std::setprecision(15) << to_double(value.numbers[i]);
+      const bool exact = parse_rational(decimal.str()) == value.numbers[i];
+      text += (i == 0 ? "" : ";") + (exact ? decimal.str() : to_string(value.numbers[i]));
+    }
+  }
+  return scheme.name() + text;
+}
+
 Json fit_json(const SchemeFit& fit) {
-  return {{"scheme", fit.scheme.text()},
+  return {{"scheme", decimal_text(fit.scheme)},
           {"interpolating", fit.mode == Prediction::interpolating},
           {"rmse", fit.rmse},
           {"cross_validated_rmse", number_or_null(fit.cross_validated_rmse)},
@@ -265,8 +286,8 @@ void print_text(const FitArguments& a, const ParameterSpace& space, const FitOut
   const auto slope = [](const std::optional<SpectralSlope>& s) {
     return s ? s->slope : std::numeric_limits<double>::quiet_NaN();
   };
-  text << a.truth << ", every " << a.factor << "th sample along both axes given, " << samples
-       << " others predicted:\n\n"
+  text << a.truth << ": one of " << a.factor << " samples along both axes given, " << samples
+       << " others predicted\n\n"
        << std::left << std::setw(static_cast<int>(width)) << "method" << std::right << std::setw(11)
        << "RMSE" << std::setw(11) << "cross-val." << std::setw(11) << "largest" << std::setw(11)
        << "slope RMSE" << std::setw(11) << "spectrum" << '\n';
@@ -290,7 +311,7 @@ void print_text(const FitArguments& a, const ParameterSpace& space, const FitOut
   for (const std::string& name : space.free_names()) free += (free.empty() ? "" : ", ") + name;
   text << "\n\n"
        << "fitted " << free << " by " << a.criterion << " in " << std::setprecision(2) << seconds
-       << " s:\n  " << outcome.best().scheme.text()
+       << " s:\n  " << decimal_text(outcome.best().scheme)
        << (outcome.best().mode == Prediction::interpolating ? "   (interpolating)" : "") << '\n';
   const Row& first = outcome.rows.front();
   text << "lowest RMSE: " << first.name;

@@ -157,8 +157,8 @@ void report_detail(const Detail& detail, const DetailStatistics& statistics) {
   if (!statistics.after) return;
   std::ostringstream line;
   line << std::fixed << std::setprecision(2) << "detail: the power of profiles falls as k^"
-       << statistics.after->slope << " in the new octaves (roughness " << detail.roughness
-       << " asks for k^" << -(2 * detail.roughness + 1) << ")";
+       << statistics.after->slope << " in the new octaves (detail of roughness " << detail.roughness
+       << " alone: k^" << -(2 * detail.roughness + 1) << ")";
   if (statistics.before) line << ", in those of the input as k^" << statistics.before->slope;
   std::cout << line.str() << '\n';
 }

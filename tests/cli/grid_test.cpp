@@ -37,8 +37,8 @@ TEST(cli_grid, the_survey_becomes_a_control_grid) {
   const auto report =
       run_json({"grid", davis, run.out, "--spacing", "0.2", "--crs", "EPSG:32616", "--json"});
   EXPECT_EQ(report.at("points").at("used"), 52);
-  EXPECT_EQ(report.at("rows"), 31);
-  EXPECT_EQ(report.at("cols"), 32);
+  EXPECT_EQ(report.at("rows"), 32);
+  EXPECT_EQ(report.at("cols"), 31);
   EXPECT_GT(report.at("missing"), 0);
   EXPECT_LT(report.at("distance_to_points").at("rmse"), 5);
   const gdal::Raster raster(run.out);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // gdalwarp's kernels on node-aligned extents are two members of the catalogue, exactly.
+#include <gdal_priv.h>
+#include <gdal_utils.h>
 #include <gtest/gtest.h>
 
 #include <cfloat>
 #include <cmath>
+#include <memory>
 
 #include "arete/analysis/limit_stencil.h"
 #include "arete/gdal/band_source.h"
-#include "arete/gdal/resample.h"
 #include "arete/refine/refiner.h"
 #include "arete/scheme/catalogue.h"
 #include "support/fields.h"
@@ -15,8 +17,67 @@
 namespace arete {
 namespace {
 
-Grid<double> warped(const Grid<double>& grid, const char* kernel, int factor) {
-  return gdal::resampled(grid.view(), kernel, factor);
+using Dataset = std::unique_ptr<GDALDataset, decltype(&GDALClose)>;
+
+// The grid as a raster of 1 x 1 pixels in memory.
+Dataset in_memory(Grid<double>& grid) {
+  gdal::register_formats();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
+  Dataset dataset(driver->Create("", static_cast<int>(grid.cols()), static_cast<int>(grid.rows()),
+                                 1, GDT_Float64, nullptr),
+                  &GDALClose);
+  double affine[6]{0, 1, 0, 0, 0, -1};
+  dataset->SetGeoTransform(affine);
+  EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(
+                GF_Write, 0, 0, static_cast<int>(grid.cols()), static_cast<int>(grid.rows()),
+                grid.samples().data(), static_cast<int>(grid.cols()), static_cast<int>(grid.rows()),
+                GDT_Float64, 0, 0, nullptr),
+            CE_None);
+  return dataset;
+}
+
+// gdalwarp to the lattice on which sample (0, 0) stays where it is and `factor` samples stand
+// where one stood.
+Grid<double> warped(Grid<double> grid, const char* kernel, int factor) {
+  const Dataset source = in_memory(grid);
+  const Index cols = factor * (grid.cols() - 1) + 1;
+  const Index rows = factor * (grid.rows() - 1) + 1;
+  const double pixel = 1.0 / factor;
+  const double edge = 0.5 - pixel / 2;
+  const std::string extent[]{
+      std::to_string(edge), std::to_string(-edge - pixel * static_cast<double>(rows)),
+      std::to_string(edge + pixel * static_cast<double>(cols)), std::to_string(-edge)};
+  const std::string width = std::to_string(cols);
+  const std::string height = std::to_string(rows);
+  const char* arguments[]{"-of",
+                          "MEM",
+                          "-r",
+                          kernel,
+                          "-ot",
+                          "Float64",
+                          "-et",
+                          "0",
+                          "-te",
+                          extent[0].c_str(),
+                          extent[1].c_str(),
+                          extent[2].c_str(),
+                          extent[3].c_str(),
+                          "-ts",
+                          width.c_str(),
+                          height.c_str(),
+                          nullptr};
+  GDALWarpAppOptions* options = GDALWarpAppOptionsNew(const_cast<char**>(arguments), nullptr);
+  GDALDatasetH in = source.get();
+  const Dataset out(GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &in, options, nullptr)),
+                    &GDALClose);
+  GDALWarpAppOptionsFree(options);
+  Grid<double> result({rows, cols});
+  EXPECT_EQ(
+      out->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, static_cast<int>(cols), static_cast<int>(rows),
+                                      result.samples().data(), static_cast<int>(cols),
+                                      static_cast<int>(rows), GDT_Float64, 0, 0, nullptr),
+      CE_None);
+  return result;
 }
 
 // gdalwarp lowers its order near the border, where it has no rule; `rim` input samples are left

@@ -82,9 +82,10 @@ ParameterSpace::ParameterSpace(const Scheme& start, const std::vector<std::strin
   }
   keep_laws(moves);
   if (moves_.empty())
-    throw InvalidScheme(start.text() +
-                        " has no parameter that can move without moving samples or breaking "
-                        "planes; take a family with parameters, e.g. four-parameter or four-point");
+    throw InvalidScheme(
+        start.text() +
+        " has no parameter that can move linearly without moving samples or "
+        "breaking planes; take a family with such parameters, e.g. four-parameter or four-point");
 }
 
 std::vector<ParameterSpace::Move> ParameterSpace::moves_of(const std::string& name) const {
