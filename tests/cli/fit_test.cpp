@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// arete fit: known parameters come back, the table is complete, the scheme can be pasted.
+// arete fit: a complete table beside other methods, and what it refuses.
 #include <gtest/gtest.h>
 
 #include <map>
