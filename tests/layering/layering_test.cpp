@@ -26,8 +26,7 @@ const std::map<std::string, Names> core_may_include{
     {"fractal", {"algebra", "scheme", "field", "fractal"}},
     {"variational", {"algebra", "scheme", "field", "variational"}},
     {"metrics", {"field", "metrics"}},
-    {"fit",
-     {"algebra", "scheme", "analysis", "field", "refine", "variational", "metrics", "fit"}},
+    {"fit", {"algebra", "scheme", "analysis", "field", "refine", "variational", "metrics", "fit"}},
 };
 const Names adapters{"openmesh", "gdal", "cgal", "vtk", "paraview", "opensubdiv"};
 
