@@ -4,6 +4,8 @@
 #include <iostream>
 #include <memory>
 
+#include "arete/analysis/polynomial.h"
+#include "arete/analysis/smoothness.h"
 #include "cli/scheme_json.h"
 #include "cli/verb.h"
 
@@ -73,15 +75,60 @@ void print_catalogue() {
          "The ranges are the useful ones; 'arete schemes --json' also has what is accepted.\n";
 }
 
+// The part of a family's documentation page that the catalogue and the default member decide.
+void print_markdown(const Family& family) {
+  std::cout << "**" << family.name << "**: " << family.summary << ".\n";
+  if (!family.reference.empty()) std::cout << "Source: " << family.reference << ".\n";
+  if (!family.parameters.empty()) {
+    std::cout << "\n| parameter | symbol | default | usual | accepted | meaning |\n"
+              << "|---|---|---|---|---|---|\n";
+    for (const Parameter& p : family.parameters) {
+      const auto range = [](const ParameterRange& r) {
+        return to_string(r.lowest) + " .. " + to_string(r.highest);
+      };
+      std::cout << "| `" << p.name << (p.repeats ? "0`, `" + p.name + "1`, ..." : "`") << " | "
+                << p.symbol << " | " << (p.fallback ? to_string(*p.fallback) : "-") << " | "
+                << range(p.usual) << " | " << range(p.accepted) << " | " << p.meaning << " |\n";
+    }
+  }
+  const bool has_default = std::all_of(family.parameters.begin(), family.parameters.end(),
+                                       [](const Parameter& p) { return p.fallback.has_value(); });
+  if (!has_default) return;
+  const Scheme scheme = make_scheme(family.name);
+  const Mask& mask = scheme.mask();
+  const Smoothness truth = analyze_smoothness(mask);
+  std::cout << "\n| `" << scheme.text() << "` | |\n|---|---|\n";
+  std::cout << "| arity | " << mask.arity() << " |\n| mask on " << mask.first() << " .. "
+            << mask.last() << " | ";
+  if (mask.coefficients().size() <= 20)
+    std::cout << coefficients_text(mask);
+  else
+    std::cout << mask.coefficients().size() << " coefficients (`arete describe " << scheme.name()
+              << "`)";
+  std::cout << " |\n| tau | " << to_string(mask.tau()) << " |\n| sum rules | " << sum_rules(mask)
+            << " |\n| reproduces polynomials to degree | " << reproduction_degree(mask)
+            << " |\n| interpolates | " << (is_interpolatory(mask) ? "yes" : "no")
+            << " |\n| certified | C^" << truth.certified << " |\n| refuted | "
+            << (truth.refuted_at ? "C^" + std::to_string(*truth.refuted_at) : "-")
+            << " |\n| Hoelder exponent | ";
+  std::cout.precision(7);
+  std::cout << truth.hoelder.lower
+            << (truth.hoelder.attained == Attained::no ? ", not attained" : "") << " |\n";
+}
+
 }  // namespace
 
 void add_schemes(CLI::App& program, Job& job) {
   CLI::App* verb = program.add_subcommand("schemes", "List the catalogue of schemes");
   auto json = std::make_shared<bool>(false);
+  auto markdown = std::make_shared<std::string>();
   verb->add_flag("--json", *json, "Print one JSON object");
-  verb->callback([&job, json] {
-    job = [json] {
-      if (*json)
+  verb->add_option("--markdown", *markdown, "Print the facts of one family as Markdown");
+  verb->callback([&job, json, markdown] {
+    job = [json, markdown] {
+      if (!markdown->empty())
+        print_markdown(find_family(*markdown));
+      else if (*json)
         std::cout << catalogue_json().dump(2) << '\n';
       else
         print_catalogue();

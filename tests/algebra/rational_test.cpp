@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "arete/algebra/simplest_rational.h"
+
 namespace arete {
 namespace {
 
@@ -52,6 +54,15 @@ TEST(rational, conversion_to_double_rounds_to_nearest) {
     EXPECT_LE(distance(rounded), distance(std::nextafter(rounded, 1e9)));
     EXPECT_LE(distance(rounded), distance(std::nextafter(rounded, -1e9)));
   }
+}
+
+TEST(rational, the_simplest_fraction_that_rounds_to_a_double_is_what_was_meant) {
+  for (int d = 1; d <= 200; ++d)
+    for (int n = -2 * d; n <= 2 * d; ++n)
+      EXPECT_EQ(simplest_rational(static_cast<double>(n) / d), Rational(n, d)) << n << "/" << d;
+  for (double value : {0.1, 1e-300, 5e-324, 1.7976931348623157e308, 9007199254740993.0, 0x1p-1022,
+                       3.141592653589793, -2.2250738585072014e-308})
+    EXPECT_EQ(to_double(simplest_rational(value)), value);
 }
 
 }  // namespace

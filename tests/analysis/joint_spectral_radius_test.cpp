@@ -8,6 +8,7 @@
 
 #include "analysis/oracle_scheme.h"
 #include "arete/analysis/hoelder.h"
+#include "support/markdown_table.h"
 
 namespace arete {
 namespace {
@@ -43,6 +44,9 @@ TEST(Hoelder, MeetsTheTernaryOracle) {
     const double alpha = record.at("expect").at("alpha").get<double>();
     EXPECT_NEAR(bounds.lower, alpha, 5e-8);
     EXPECT_NEAR(bounds.upper, alpha, 5e-8);
+    // The order that the exponent proves.
+    EXPECT_EQ(static_cast<int>(std::ceil(bounds.lower)) - 1,
+              record.at("expect").at("certified_C").get<int>());
     EXPECT_EQ(static_cast<int>(bounds.jsr.word.size()) %
                   record.at("expect").at("smp_word_length").get<int>(),
               0);
@@ -53,6 +57,15 @@ TEST(Hoelder, OfTheTernarySchemeIsLargestWhereTheOracleSays) {
   for (const auto& record : test::ternary_and_reverse_records("t.hoelder")) {
     if (record.at("input").contains("b")) continue;
     const Rational best(record.at("expect").at("b_star").get<double>());
+    // The stationary point is where the closed forms of the words 02 and 0 meet: a root of this.
+    const auto root_of = test::exact_list(record.at("expect").at("b_star_is_root_of"));
+    const auto polynomial = [&root_of](const Rational& b) {
+      Rational value = 0;
+      for (const Rational& c : root_of) value = value * b + c;  // highest first
+      return value;
+    };
+    const Rational near = parse_rational("1e-12");
+    EXPECT_LT(polynomial(best - near) * polynomial(best + near), 0);
     const auto alpha = [](const Rational& b) {
       return hoelder_bounds(make_scheme("ternary-two-step", {{"b", {b}}}).mask());
     };
@@ -151,16 +164,25 @@ LaurentPolynomial<Rational> daubechies_rest(int n) {
 }
 
 TEST(JointSpectralRadius, GivesTheExponentsOfDaubechies) {
-  const double published[] = {0.5500, 1.0878, 1.6179, 1.9689, 2.1891,
-                              2.4604, 2.7608, 3.0736, 3.3613};
-  for (int n = 2; n <= 10; ++n) {
+  const auto rows = test::markdown_table("docs/smoothness.md", "Daubechies");
+  EXPECT_EQ(rows.size(), 9u);
+  for (const auto& row : rows) {
+    const int n = std::stoi(row.at(0));
+    SCOPED_TRACE(n);
+    const double published = std::stod(row.at(1));
+    const double shown = std::stod(row.at(2));
     const JsrBounds bounds = joint_spectral_radius(2, daubechies_rest(n));
     if (n < 10) {
-      EXPECT_TRUE(bounds.closed()) << n;
+      EXPECT_TRUE(bounds.closed());
     }
-    EXPECT_NEAR(negative_log(bounds.upper, 2), published[n - 2], 1.1e-4) << n;
-    EXPECT_NEAR(negative_log(bounds.lower, 2), published[n - 2], 1.1e-4) << n;
+    for (const Rational& bound : {bounds.lower, bounds.upper}) {
+      EXPECT_NEAR(negative_log(bound, 2), published, 1.1e-4);
+      EXPECT_NEAR(negative_log(bound, 2), shown, n < 10 ? 5.1e-7 : 2e-5);
+    }
   }
+  // The two that are known in closed form (Daubechies, Lagarias 1992): 2 - log2(1 + sqrt 3), and
+  // 3 - log2 |...| of D6 numerically.
+  EXPECT_NEAR(std::stod(rows[0].at(2)), 2 - std::log2(1 + std::sqrt(3.0)), 5.1e-7);
 }
 
 TEST(JointSpectralRadius, OfPublishedSchemes) {

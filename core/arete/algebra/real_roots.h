@@ -25,6 +25,16 @@ using Coefficients = std::vector<Rational>;
   return value;
 }
 
+/// (x - r_1) (x - r_2) ...
+[[nodiscard]] inline Coefficients monic_polynomial(const std::vector<Rational>& roots) {
+  Coefficients product = {1};
+  for (const Rational& root : roots) {
+    product.insert(product.begin(), Rational(0));
+    for (std::size_t i = 0; i + 1 < product.size(); ++i) product[i] -= root * product[i + 1];
+  }
+  return product;
+}
+
 [[nodiscard]] inline Coefficients derivative_of(const Coefficients& p) {
   Coefficients result;
   for (std::size_t i = 1; i < p.size(); ++i) result.push_back(p[i] * static_cast<int>(i));

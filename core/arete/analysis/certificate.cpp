@@ -32,7 +32,7 @@ std::optional<Rational> contractivity_norm(const Mask& mask, int order, int powe
   return iterate.norm() * Rational(dilation_power(mask.arity(), order * power));
 }
 
-Certificate certify(const Mask& mask, int max_power, std::int64_t work_budget) {
+Certificate certify(const Mask& mask, int max_power, std::int64_t work_budget, const Stop& stop) {
   Certificate certificate;
   auto q = mask.symbol().divided_by_smoothing_factor(mask.arity());
   while (q) {
@@ -47,7 +47,7 @@ Certificate certify(const Mask& mask, int max_power, std::int64_t work_budget) {
       }
       if (iterate.power() >= max_power) break;
       const std::int64_t cost = iterate.cost_of_next();
-      if (cost > work_budget) {
+      if (cost > work_budget || must_stop(stop)) {
         certificate.exhausted = true;
         break;
       }

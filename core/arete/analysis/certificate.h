@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "arete/analysis/stop.h"
 #include "arete/scheme/mask.h"
 
 namespace arete {
@@ -31,7 +32,7 @@ struct Certificate {
   Rational norm;   ///< the exact norm of that order's proof, 0 if there is none
   int sum_rules = 0;
   std::vector<OrderProof> proofs;  ///< every proved order, ascending, each with its smallest power
-  bool exhausted = false;  ///< some order was not tried up to max_power: the work budget ran out
+  bool exhausted = false;          ///< some order was not tried up to max_power: the budget ran out
 };
 
 /// Limits the number of word-sized multiplications, so that the answer does not depend on the
@@ -45,8 +46,9 @@ inline constexpr std::int64_t default_work_budget = 8'000'000;
 
 /// Tries every order below the number of sum rules with the powers 1..max_power.
 /// Exact rational arithmetic throughout; the cost grows as m^max_power times the number of taps
-/// squared, bounded by the budget.
+/// squared, bounded by the budget; `stop` ends it as an empty budget does.
 [[nodiscard]] Certificate certify(const Mask& mask, int max_power = 8,
-                                  std::int64_t work_budget = default_work_budget);
+                                  std::int64_t work_budget = default_work_budget,
+                                  const Stop& stop = {});
 
 }  // namespace arete

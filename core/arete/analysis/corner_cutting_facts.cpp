@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "arete/analysis/corner_cutting_facts.h"
 
-#include <algorithm>
+#include "arete/algebra/characteristic_polynomial.h"
+#include "arete/algebra/real_roots.h"
 
 namespace arete {
 namespace {
@@ -12,6 +13,10 @@ Matrix<Rational> from_rows(const std::array<std::array<Rational, 3>, 3>& rows) {
     for (int j = 0; j < 3; ++j)
       matrix(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   return matrix;
+}
+
+bool has_roots(const Matrix<Rational>& matrix, const std::array<Rational, 3>& roots) {
+  return characteristic_polynomial(matrix) == monic_polynomial({roots.begin(), roots.end()});
 }
 
 }  // namespace
@@ -44,13 +49,14 @@ std::vector<TheoremResult> corner_cutting_results(const Rational& u, const Ratio
   convergence.statement = "u, v >= 0 and 0 < u+v < 1";
   convergence.holds = facts.converges && !facts.degenerate;
   convergence.values = {u + v};
+  convergence.nonnegative = {u, v};
 
   TheoremResult spectrum;
   spectrum.name = "spectra of L and R (Kotarski, Gdawiec)";
   spectrum.statement = "L: {1, 1-u-v, u}, R: {1, 1-u-v, v}; the spectrum tells the smoothness";
-  const Rational largest = std::max({Rational(abs(1 - u - v)), Rational(abs(u)), Rational(abs(v))});
-  spectrum.values = {largest};
-  spectrum.holds = largest < 1;
+  spectrum.claims = -1;
+  spectrum.holds = has_roots(corner_cutting_left(u, v), facts.left_spectrum) &&
+                   has_roots(corner_cutting_right(u, v), facts.right_spectrum);
   spectrum.sound = false;
   spectrum.remark =
       "the spectra are right, but the smoothness is told by the joint spectral radius of the "

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "arete/algebra/characteristic_polynomial.h"
+#include "arete/algebra/real_roots.h"
 #include "arete/analysis/operator_power.h"
 
 namespace arete {
@@ -62,6 +64,30 @@ TheoremResult difference_theorem(const std::vector<Rational>& coefficients) {
   return result;
 }
 
+TheoremResult nonnegative_coefficients(const std::vector<Rational>& coefficients) {
+  TheoremResult result;
+  result.name = std::string("statement II)") + authors;
+  result.statement = "all coefficients a0, a1, ... >= 0";
+  result.claims = 1;
+  result.nonnegative = coefficients;
+  result.holds = std::all_of(coefficients.begin(), coefficients.end(),
+                             [](const Rational& c) { return c >= 0; });
+  return result;
+}
+
+TheoremResult lemma_result(const std::vector<Rational>& coefficients, int m) {
+  TheoremResult result;
+  const std::vector<Rational> eigenvalues = lemma_eigenvalues(coefficients, m);
+  result.name = std::string(coefficients.size() == 2 ? "lemma 1" : "lemma 2") + authors;
+  result.statement = "the central matrix has the eigenvalues ";
+  for (const Rational& root : eigenvalues)
+    result.statement += (&root == &eigenvalues.front() ? "" : ", ") + to_string(root);
+  result.claims = -1;
+  result.holds =
+      characteristic_polynomial(central_matrix(coefficients, m)) == monic_polynomial(eigenvalues);
+  return result;
+}
+
 DifferenceConvergence difference_convergence(const std::vector<Rational>& coefficients,
                                              const JsrOptions& options) {
   const LaurentPolynomial<Rational> c(0, coefficients);
@@ -105,6 +131,29 @@ TheoremResult mixture_property(const std::vector<Rational>& first,
   if (!result.sound)
     result.remark = "false as printed: the true region of convergence is not convex";
   return result;
+}
+
+std::optional<MixedPair> refuting_mixture(const std::vector<Rational>& coefficients) {
+  if (coefficients.size() != 3) return std::nullopt;
+  if (difference_convergence(coefficients).verdict != Verdict::refuted) return std::nullopt;
+  constexpr int reach = 8;
+  const Rational unit = Rational(1) / 50;
+  const auto shifted = [&](int c, int a) {
+    return std::vector<Rational>{coefficients[0] + unit * c, coefficients[1] - unit * (a + c),
+                                 coefficients[2] + unit * a};
+  };
+  const auto satisfies = [](const auto& d) { return difference_theorem(d).holds; };
+  const auto converges = [](const auto& d) {
+    return difference_convergence(d).verdict == Verdict::certified;
+  };
+  for (int c = 0; c <= reach; ++c)
+    for (int a = -reach; a <= reach; ++a) {
+      MixedPair pair{shifted(c, a), shifted(-c, -a)};
+      if (satisfies(pair.first) && satisfies(pair.second) && converges(pair.first) &&
+          converges(pair.second))
+        return pair;
+    }
+  return std::nullopt;
 }
 
 }  // namespace arete

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "arete/analysis/theorem.h"
@@ -19,6 +20,7 @@ namespace arete {
 ///   two local matrices may grow all the same, e.g. (a, b, c) = (1/4, 19/20, -19/20), m = 2.
 /// - property 1: mixtures alpha D1 + (1-alpha) D2, 0 <= alpha <= 1, of convergent ones converge.
 ///   FALSE for m = 2, 3, 4: the true region is not convex.
+/// - II), any degree: convergent if all coefficients are >= 0. True.
 /// - "at least C^1" for the schemes ((1+z)/2)(1+z) D(z), where D is convergent. True.
 
 /// The central matrix (D_{2i-j}), i, j = 0..degree of D, whose spectral radius the paper uses.
@@ -34,6 +36,13 @@ namespace arete {
 /// Theorem 3 or 4 by the number of coefficients (2 or 3); the value is the largest |coefficient|,
 /// `claims` the order of the scheme raised once. \throws std::invalid_argument for another degree.
 [[nodiscard]] TheoremResult difference_theorem(const std::vector<Rational>& coefficients);
+
+/// Statement II), for any number of coefficients.
+[[nodiscard]] TheoremResult nonnegative_coefficients(const std::vector<Rational>& coefficients);
+
+/// Lemma 1 or 2 for this central matrix: "holds" if its characteristic polynomial has exactly the
+/// roots of lemma_eigenvalues. \throws as that does.
+[[nodiscard]] TheoremResult lemma_result(const std::vector<Rational>& coefficients, int m);
 
 /// The truth: whether JSR(c) < 1, certified or refuted by proved bounds.
 struct DifferenceConvergence {
@@ -57,5 +66,15 @@ struct DifferenceConvergence {
 /// is wrong where the mixture is refuted. claims = 0: convergence of the difference scheme.
 [[nodiscard]] TheoremResult mixture_property(const std::vector<Rational>& first,
                                              const std::vector<Rational>& second);
+
+/// Two difference schemes of degree 2 that satisfy theorem 4, are both proved convergent, and have
+/// these coefficients as their mean, searched on a lattice around them. Nothing if these
+/// coefficients are not refuted themselves (then they prove nothing against property 1), or if
+/// there is no such pair near them.
+struct MixedPair {
+  std::vector<Rational> first;
+  std::vector<Rational> second;
+};
+[[nodiscard]] std::optional<MixedPair> refuting_mixture(const std::vector<Rational>& coefficients);
 
 }  // namespace arete

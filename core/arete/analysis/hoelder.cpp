@@ -76,12 +76,13 @@ HoelderBounds hoelder_bounds(const Mask& mask, const JsrOptions& options) {
   const FactoredMask parts = factored(mask);
   HoelderBounds result;
   result.sum_rules = parts.rules;
-  result.stability = shift_stability(mask);
+  if (!must_stop(options.stop)) result.stability = shift_stability(mask);
   result.jsr = joint_spectral_radius(mask.arity(), parts.rest, options);
   if (result.jsr.exact) {
     if (const auto n = integer_exponent(*result.jsr.exact, mask.arity())) {
       result.lower = result.upper = *n;
-      result.attained = attained_integer(mask, parts, *n, result.jsr.word);
+      if (!must_stop(options.stop))
+        result.attained = attained_integer(mask, parts, *n, result.jsr.word);
       const bool unsure = result.attained == Attained::no && result.stability != Stability::stable;
       if (unsure || *n <= 0) result.attained = Attained::unknown;
       return result;

@@ -84,8 +84,12 @@ std::optional<std::vector<Rational>> exact_eigenvector(const Matrix<Rational>& a
 
 InvariantPolytope::InvariantPolytope(const LocalMatrices& local, double radius,
                                      const std::optional<Rational>& exact_radius,
-                                     const std::vector<Word>& words)
-    : local_(&local), radius_(radius), exact_radius_(exact_radius), norm_(local.size) {
+                                     const std::vector<Word>& words, Stop stop)
+    : local_(&local),
+      radius_(radius),
+      exact_radius_(exact_radius),
+      stop_(std::move(stop)),
+      norm_(local.size) {
   for (const Matrix<Rational>& matrix : local.matrices) {
     Matrix<double> scaled(local.size, local.size);
     for (int i = 0; i < local.size; ++i)
@@ -202,7 +206,7 @@ bool InvariantPolytope::grow(double tolerance, int max_vertices) {
       if (largest(next) == 0) continue;
       const double size = norm_.combine(next, 1 + tolerance).norm;
       if (size <= 1 + tolerance) continue;
-      if (!(size < explosion) || norm_.count() >= max_vertices) return false;
+      if (!(size < explosion) || norm_.count() >= max_vertices || must_stop(stop_)) return false;
       add_vertex(std::move(next), {k, static_cast<int>(digit), {}});
     }
   return true;
@@ -268,6 +272,7 @@ std::optional<Rational> InvariantPolytope::verified_bound() {
   Rational bound = 0;
   for (int k = 0; k < norm_.count(); ++k)
     for (std::size_t digit = 0; digit < scaled_.size(); ++digit) {
+      if (must_stop(stop_)) return std::nullopt;
       std::vector<double> next = image(k, digit);
       for (double& x : next) x *= radius_;
       std::vector<Integer> target(static_cast<std::size_t>(n), Integer(0));
@@ -309,6 +314,7 @@ bool InvariantPolytope::exactly_invariant() {
   const int n = local_->size;
   for (int k = 0; k < norm_.count(); ++k)
     for (std::size_t digit = 0; digit < scaled_.size(); ++digit) {
+      if (must_stop(stop_)) return false;
       const auto target = times(local_->matrices[digit], (*vertices)[static_cast<std::size_t>(k)]);
       const auto basis = norm_.combine(image(k, digit), 0).points;
       Matrix<Rational> columns(n, n);

@@ -6,6 +6,7 @@
 
 #include "arete/analysis/local_matrices.h"
 #include "arete/analysis/polytope_norm.h"
+#include "arete/analysis/stop.h"
 
 namespace arete {
 
@@ -21,8 +22,10 @@ class InvariantPolytope {
  public:
   /// radius > 0: the conjectured JSR, by which the matrices are divided while growing.
   /// If it is exact (a rational eigenvalue of every word), exact starting vectors are used.
+  /// Told to stop, growing and proving fail.
   InvariantPolytope(const LocalMatrices& local, double radius,
-                    const std::optional<Rational>& exact_radius, const std::vector<Word>& words);
+                    const std::optional<Rational>& exact_radius, const std::vector<Word>& words,
+                    Stop stop = {});
 
   /// Adds D_i v / radius of norm above 1 + tolerance until there is none (true) or there would be
   /// more than max_vertices, or a norm has exploded (false).
@@ -56,6 +59,7 @@ class InvariantPolytope {
   const LocalMatrices* local_;
   double radius_;
   std::optional<Rational> exact_radius_;
+  Stop stop_;
   std::vector<Matrix<double>> scaled_;  // D_i / radius
   std::vector<std::vector<double>> starts_;
   std::vector<Origin> start_origins_;

@@ -62,12 +62,12 @@ std::optional<Rational> root_above(const Rational& norm, int power) {
 }
 
 void bound_by_norms(JsrBounds& bounds, int arity, const LaurentPolynomial<Rational>& q,
-                    std::int64_t budget) {
+                    std::int64_t budget, const Stop& stop) {
   OperatorPower iterate(arity, q);
   bounds.upper = iterate.norm();
   bounds.power = 1;
-  for (std::int64_t cost = iterate.cost_of_next(); cost <= budget && iterate.power() < 16;
-       cost = iterate.cost_of_next()) {
+  for (std::int64_t cost = iterate.cost_of_next();
+       cost <= budget && iterate.power() < 16 && !must_stop(stop); cost = iterate.cost_of_next()) {
     budget -= cost;
     iterate.advance();
     if (const auto root = root_above(iterate.norm(), iterate.power()))
@@ -134,10 +134,11 @@ struct Candidates {
 };
 
 Candidates find_words(JsrBounds& bounds, const LocalMatrices& local,
-                      const std::vector<Matrix<double>>& matrices, int max_length, int beam) {
-  Candidates candidates{search_words(matrices, max_length, beam), std::nullopt};
+                      const std::vector<Matrix<double>>& matrices, int max_length, int beam,
+                      const Stop& stop) {
+  Candidates candidates{search_words(matrices, max_length, beam, stop), std::nullopt};
   const WordCandidates& found = candidates.found;
-  if (found.words.empty()) return candidates;
+  if (found.words.empty() || must_stop(stop)) return candidates;
   candidates.exact = rational_radius(local, found.words.front(), found.value);
   for (const Word& word : found.words)
     if (candidates.exact && rational_radius(local, word, found.value) != candidates.exact)
@@ -158,10 +159,11 @@ int longest_word(int size, const JsrOptions& options) {
 
 // True once the bounds have met.
 bool bound_by_polytope(JsrBounds& bounds, const LocalMatrices& local, const Candidates& candidates,
-                       double tolerance, int max_vertices) {
+                       double tolerance, const JsrOptions& options) {
+  const int max_vertices = options.max_vertices;
   if (candidates.exact && tolerance < 1e-9) {
     InvariantPolytope polytope(local, candidates.found.value, candidates.exact,
-                               candidates.found.words);
+                               candidates.found.words, options.stop);
     if (polytope.grow(1e-11, max_vertices) && polytope.exactly_invariant()) {
       take_upper(bounds, *candidates.exact, UpperProof::exact_polytope, 0, polytope.vertices());
       bounds.exact = candidates.exact;
@@ -169,7 +171,8 @@ bool bound_by_polytope(JsrBounds& bounds, const LocalMatrices& local, const Cand
       return true;
     }
   }
-  InvariantPolytope polytope(local, candidates.found.value, std::nullopt, candidates.found.words);
+  InvariantPolytope polytope(local, candidates.found.value, std::nullopt, candidates.found.words,
+                             options.stop);
   if (!polytope.grow(tolerance, max_vertices)) return false;
   if (const auto bound = polytope.verified_bound())
     take_upper(bounds, *bound, UpperProof::polytope, 0, polytope.vertices());
@@ -178,11 +181,11 @@ bool bound_by_polytope(JsrBounds& bounds, const LocalMatrices& local, const Cand
 
 // Where no polytope closes tightly, loose ones do: tighter and tighter until one does not.
 void narrow_by_polytopes(JsrBounds& bounds, const LocalMatrices& local,
-                         const Candidates& candidates, int max_vertices) {
+                         const Candidates& candidates, const JsrOptions& options) {
   for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-6}) {
     if (bounds.upper <= bounds.lower * (1 + Rational(tolerance))) continue;
     const Rational before = bounds.upper;
-    bound_by_polytope(bounds, local, candidates, tolerance, max_vertices);
+    bound_by_polytope(bounds, local, candidates, tolerance, options);
     if (bounds.upper == before) return;
   }
 }
@@ -193,38 +196,39 @@ JsrBounds joint_spectral_radius(int arity, const LaurentPolynomial<Rational>& q,
                                 const JsrOptions& options) {
   const LocalMatrices local = local_matrices(arity, q);
   JsrBounds bounds;
-  bound_by_norms(bounds, arity, q, options.norm_budget);
+  bound_by_norms(bounds, arity, q, options.norm_budget, options.stop);
   const Rational step_norm = OperatorPower(arity, q).norm();
   // The q(1)^L of a unit impulse spreads over O(m^L) samples, so JSR >= |q(1)|/m.
   bounds.lower = abs(q.sum()) / arity;
 
-  const auto matrices = local.size <= largest_exact_word
+  const auto matrices = local.size <= largest_exact_word && !must_stop(options.stop)
                             ? rounded(local)
                             : std::optional<std::vector<Matrix<double>>>();
   if (matrices) {
     const double work = std::pow(local.size, 3) * arity * options.max_word_length;
     const int beam = std::clamp(static_cast<int>(4e7 / work), 8, options.beam);
     const int longest = longest_word(local.size, options);
-    Candidates candidates = find_words(bounds, local, *matrices, std::min(longest, 8), beam);
+    Candidates candidates =
+        find_words(bounds, local, *matrices, std::min(longest, 8), beam, options.stop);
     if (candidates.exact == step_norm && candidates.exact) {
       bounds.exact = step_norm;
       bounds.bounded = true;
       take_upper(bounds, step_norm, UpperProof::norm, 1, 0);
     } else if (local.size <= options.max_dimension && options.max_vertices > 0 &&
                !candidates.found.words.empty()) {
-      bool met = bound_by_polytope(bounds, local, candidates, 1e-10, options.max_vertices);
-      if (!met && longest > 8) {
-        const Candidates longer = find_words(bounds, local, *matrices, longest, beam);
+      bool met = bound_by_polytope(bounds, local, candidates, 1e-10, options);
+      if (!met && longest > 8 && !must_stop(options.stop)) {
+        const Candidates longer = find_words(bounds, local, *matrices, longest, beam, options.stop);
         if (longer.found.value > candidates.found.value * (1 + 1e-10)) {
           candidates = longer;
-          met = bound_by_polytope(bounds, local, candidates, 1e-10, options.max_vertices);
+          met = bound_by_polytope(bounds, local, candidates, 1e-10, options);
         }
       }
-      if (!met) narrow_by_polytopes(bounds, local, candidates, options.max_vertices);
+      if (!met) narrow_by_polytopes(bounds, local, candidates, options);
     }
   }
   if (bounds.lower == bounds.upper && !bounds.exact) bounds.exact = bounds.lower;
-  if (!bounds.bounded) bounds.bounded = is_irreducible(local);
+  if (!bounds.bounded && !must_stop(options.stop)) bounds.bounded = is_irreducible(local);
   return bounds;
 }
 

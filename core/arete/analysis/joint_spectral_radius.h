@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "arete/analysis/local_matrices.h"
+#include "arete/analysis/stop.h"
 
 namespace arete {
 
@@ -15,6 +16,7 @@ struct JsrOptions {
   int max_vertices = 700;  ///< of a polytope
   int max_dimension = 40;  ///< of the matrices; beyond it there are only norms, no words
   std::int64_t norm_budget = 2'000'000;  ///< for the exact norms of powers
+  Stop stop;                             ///< bounds found so far are given when it says true
 };
 
 /// What is behind an upper bound.

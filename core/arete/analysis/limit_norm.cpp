@@ -27,7 +27,18 @@ int count_of_differences(const Mask& mask, int order) {
                     : std::max(right, left);
 }
 
+Rational rounded_up(const Rational& x) {
+  constexpr int billion = 1'000'000'000;
+  return Rational(ceil(x * billion)) / billion;
+}
+
 }  // namespace
+
+Rational LimitNorm::overshoot() const { return rounded_up((upper - 1) / 2); }
+
+Rational LimitNorm::surface_overshoot(const LimitNorm& other) const {
+  return rounded_up((upper * other.upper - 1) / 2);
+}
 
 std::optional<LimitNorm> limit_norm(const Mask& mask, std::int64_t work_budget) {
   if (certify(mask, 8, work_budget).order < 0) return std::nullopt;

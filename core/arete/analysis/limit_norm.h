@@ -16,7 +16,11 @@ struct LimitNorm {
   Rational level;  ///< ||S^levels||_inf, the same for the finite levels; tends to Lambda
   int levels = 0;
   /// s for `upper`: the fraction of the range by which a limit can overshoot at either side.
-  [[nodiscard]] Rational overshoot() const { return (upper - 1) / 2; }
+  /// Rounded up to nine decimals, so that it stays short and true.
+  [[nodiscard]] Rational overshoot() const;
+  /// The same for the tensor product of two such schemes (equal ones: surface_overshoot(other =
+  /// *this)): the weights of a surface are products, so Lambda is, too.
+  [[nodiscard]] Rational surface_overshoot(const LimitNorm& other) const;
 };
 
 /// A rigorous upper bound of Lambda, or nothing if none was found within the budget (then the

@@ -23,7 +23,8 @@ Smoothness analyze_smoothness(const Mask& mask, const SmoothnessOptions& options
   result.hoelder = hoelder_bounds(mask, options.jsr);
   const JsrBounds& jsr = result.hoelder.jsr;
   const bool stable = result.hoelder.stability == Stability::stable;
-  result.certificate = certify(mask, options.max_power, options.work_budget);
+  result.certificate = certify(mask, options.max_power, options.work_budget, options.jsr.stop);
+  result.complete = !must_stop(options.jsr.stop);
   const LocalMatrices local = local_matrices(m, parts.rest);
 
   for (int order = 0; order <= parts.rules; ++order) {
@@ -46,7 +47,8 @@ Smoothness analyze_smoothness(const Mask& mask, const SmoothnessOptions& options
       verdict.verdict = Verdict::refuted;
       verdict.reason = Reason::divergence;
     } else if (order < parts.rules && (order == 0 || stable) && !jsr.word.empty() &&
-               local.size <= largest_tested && word_reaches(local, jsr.word, 1 / scale)) {
+               local.size <= largest_tested && !must_stop(options.jsr.stop) &&
+               word_reaches(local, jsr.word, 1 / scale)) {
       verdict.verdict = Verdict::refuted;
       verdict.reason = Reason::word;
       verdict.word = jsr.word;
@@ -75,7 +77,8 @@ std::string explanation(const OrderVerdict& verdict) {
       std::snprintf(number, sizeof number, "%.9g", verdict.value);
       return "word " + to_text(verdict.word) + " has value " + number + " >= 1";
     case Reason::sum_rules:
-      return "only " + std::to_string(verdict.order) + " sum rules and stable shifts";
+      return "only " + std::to_string(verdict.order) +
+             (verdict.order == 1 ? " sum rule" : " sum rules") + " and stable shifts";
     case Reason::divergence:
       return "a lower order is refuted";
     case Reason::none:

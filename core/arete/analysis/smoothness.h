@@ -34,9 +34,9 @@ struct OrderVerdict {
 };
 
 struct SmoothnessOptions {
-  int max_power = 8;
+  int max_power = 8;  ///< of the norms
   std::int64_t work_budget = default_work_budget;
-  JsrOptions jsr;
+  JsrOptions jsr;  ///< its `stop` stops everything
 };
 
 /// Everything that is proved about the smoothness of a scheme. Orders 0..sum_rules are decided one
@@ -51,6 +51,7 @@ struct Smoothness {
   std::vector<OrderVerdict> orders;
   Certificate certificate;  ///< what the norms alone prove
   HoelderBounds hoelder;    ///< carries the stability, too
+  bool complete = true;     ///< false: stopped; more time might decide more
 };
 
 [[nodiscard]] Smoothness analyze_smoothness(const Mask& mask,

@@ -58,12 +58,13 @@ void keep(WordCandidates& best, double value, const Word& word) {
 
 // Long optimal words are often made of two shorter near-optimal ones.
 void try_pairs(WordCandidates& best, std::vector<Rated> near,
-               const std::vector<Matrix<double>>& matrices, int max_length) {
+               const std::vector<Matrix<double>>& matrices, int max_length, const Stop& stop) {
   for (bool improved = true; improved;) {
     improved = false;
     const std::vector<Rated> parts = near;
     for (const Rated& first : parts)
       for (const Rated& second : parts) {
+        if (must_stop(stop)) return;
         const std::size_t length = first.word.size() + second.word.size();
         if (length > static_cast<std::size_t>(max_length)) continue;
         Word turned = second.word;
@@ -87,13 +88,15 @@ void try_pairs(WordCandidates& best, std::vector<Rated> near,
 
 }  // namespace
 
-WordCandidates search_words(const std::vector<Matrix<double>>& matrices, int max_length, int beam) {
+WordCandidates search_words(const std::vector<Matrix<double>>& matrices, int max_length, int beam,
+                            const Stop& stop) {
   WordCandidates best;
   std::vector<Rated> near;
   std::vector<Node> level = {{{}, Matrix<double>::identity(matrices.front().rows()), 1}};
   for (int length = 1; length <= max_length && !level.empty(); ++length) {
     std::vector<Node> next;
-    for (const Node& node : level)
+    for (const Node& node : level) {
+      if (must_stop(stop)) return best;
       for (std::size_t digit = 0; digit < matrices.size(); ++digit) {
         Node child{node.word, matrices[digit] * node.product, 0};
         child.word.push_back(static_cast<int>(digit));
@@ -107,6 +110,7 @@ WordCandidates search_words(const std::vector<Matrix<double>>& matrices, int max
         }
         next.push_back(std::move(child));
       }
+    }
     std::erase_if(next, [&best](const Node& node) { return node.size < best.value * (1 - tie); });
     const auto count = std::min(next.size(), static_cast<std::size_t>(beam));
     std::partial_sort(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count), next.end(),
@@ -116,7 +120,7 @@ WordCandidates search_words(const std::vector<Matrix<double>>& matrices, int max
     next.resize(count);
     level = std::move(next);
   }
-  if (max_length > 8) try_pairs(best, near, matrices, max_length);
+  if (max_length > 8) try_pairs(best, near, matrices, max_length, stop);
   std::stable_sort(best.words.begin(), best.words.end(), [](const Word& a, const Word& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
   });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "arete/algebra/matrix.h"
+#include "arete/analysis/stop.h"
 #include "arete/analysis/word.h"
 
 namespace arete {
@@ -18,8 +19,8 @@ struct WordCandidates {
 /// products are extended one matrix at a time, those with norm^{1/length} below the best value so
 /// far cannot lead to a better one soon and are dropped, and of the rest only the `beam` largest in
 /// norm go on. For max_length > 8 pairs of near-optimal words are tried as well. Cost O(max_length
-/// beam m n^3).
+/// beam m n^3). When told to stop it gives what it has found.
 [[nodiscard]] WordCandidates search_words(const std::vector<Matrix<double>>& matrices,
-                                          int max_length, int beam);
+                                          int max_length, int beam, const Stop& stop = {});
 
 }  // namespace arete

@@ -1,36 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "arete/vtk/plot_curve.h"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "arete/vtk/error.h"
 #include "arete/vtk/internal/canvas.h"
+#include "arete/vtk/internal/shapes.h"
 
 namespace arete::vtk {
 namespace {
 
 constexpr int supersampling = 4;
-
-/// A place in the drawn picture, from its lower left corner.
-struct Pixel {
-  double x = 0;
-  double y = 0;
-};
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -72,73 +58,6 @@ class Axes {
   Pixel centre_;
   Pixel unit_;
 };
-
-/// Filled shapes of one colour. Lines are drawn as polygons: OpenGL's core profile knows no widths.
-class Shapes {
- public:
-  /// Shapes of a higher layer lie on top.
-  explicit Shapes(int layer) : layer_(layer) {}
-
-  void disc(Pixel centre, double radius) {
-    constexpr int corners = 24;
-    cells_->InsertNextCell(corners);
-    for (int k = 0; k < corners; ++k) {
-      const double angle = 2 * std::numbers::pi * k / corners;
-      add(centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle));
-    }
-  }
-
-  /// Round joins and ends.
-  void line(const std::vector<Pixel>& points, bool closed, double width) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      disc(points[k], width / 2);
-      if (k + 1 < points.size() || closed) {
-        segment(points[k], points[(k + 1) % points.size()], width);
-      }
-    }
-  }
-
-  void draw(const Rgb& color, vtkRenderer& renderer) const {
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points_);
-    data->SetPolys(cells_);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-    actor->GetProperty()->LightingOff();
-    renderer.AddActor(actor);
-  }
-
- private:
-  void add(double x, double y) { cells_->InsertCellPoint(points_->InsertNextPoint(x, y, layer_)); }
-
-  void segment(Pixel a, Pixel b, double width) {
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    if (!(length > 0)) return;
-    const double nx = -(b.y - a.y) / length * width / 2;
-    const double ny = (b.x - a.x) / length * width / 2;
-    cells_->InsertNextCell(4);
-    add(a.x + nx, a.y + ny);
-    add(a.x - nx, a.y - ny);
-    add(b.x - nx, b.y - ny);
-    add(b.x + nx, b.y + ny);
-  }
-
-  int layer_;
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkCellArray> cells_;
-};
-
-/// One unit is one drawn pixel, from the lower left corner.
-void set_pixel_camera(int width, int height, vtkCamera& camera) {
-  camera.ParallelProjectionOn();
-  camera.SetParallelScale(height / 2.0);
-  camera.SetFocalPoint(width / 2.0, height / 2.0, 0);
-  camera.SetPosition(width / 2.0, height / 2.0, 10);
-  camera.SetClippingRange(1, 20);
-}
 
 std::vector<Pixel> placed(const Polyline& line, const Axes& axes) {
   std::vector<Pixel> points;
@@ -182,7 +101,7 @@ void plot_curve(const Polyline& curve, const std::optional<Polyline>& control,
   line.draw(options.curve_color, *renderer);
   if (control) points.draw(options.point_color, *renderer);
   set_pixel_camera(options.width * canvas.supersampling(), options.height * canvas.supersampling(),
-                   *renderer->GetActiveCamera());
+                   *renderer);
   write_png(canvas.draw(), png);
 }
 

@@ -6,11 +6,15 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "arete/vtk/error.h"
 #include "arete/vtk/internal/canvas.h"
+#include "arete/vtk/internal/contour_lines.h"
 #include "arete/vtk/internal/painter.h"
+#include "arete/vtk/internal/shapes.h"
 #include "arete/vtk/internal/ticks.h"
 
 namespace arete::vtk {
@@ -18,14 +22,29 @@ namespace {
 
 constexpr int supersampling = 2;
 constexpr Rgb ink{40, 40, 40};
+constexpr double outline_width = 0.16;  // of the font's size
 
 using Box = std::array<double, 4>;
+
+Pixel drawn(double x, double y) {
+  return {std::round(x * supersampling), std::round(y * supersampling)};
+}
 
 void check(const ClassMap& map, std::array<int, 2> size) {
   if (map.cells.rows() < 1 || map.cells.cols() < 1) throw InvalidField("a map needs cells");
   for (const int cell : map.cells.samples())
     if (cell < 0 || cell >= static_cast<int>(map.classes.size()))
       throw InvalidField("a cell of the map has no class");
+  for (const MapOutline& outline : map.outlines) {
+    if (outline.field.rows() < 2 || outline.field.cols() < 2)
+      throw InvalidField("the outline " + outline.label + " needs at least 2 x 2 samples");
+    const bool clipped = outline.within.rows() > 0;
+    if (clipped && (outline.within.rows() != outline.field.rows() ||
+                    outline.within.cols() != outline.field.cols()))
+      throw InvalidField("the outline " + outline.label + " is clipped by a field of another size");
+    for (const double value : outline.field.samples())
+      if (std::isnan(value)) throw InvalidField("the outline " + outline.label + " has NaN");
+  }
   if (std::min(size[0], size[1]) < 200) throw RenderError("a map needs at least 200 x 200 pixels");
 }
 
@@ -40,8 +59,11 @@ std::vector<Box> outline(const Box& b) {
 
 double legend_width(const ClassMap& map, double font) {
   std::size_t longest = 0;
-  for (const MapClass& kind : map.classes) longest = std::max(longest, kind.label.size());
-  return (3.5 + 0.6 * static_cast<double>(longest)) * font;
+  const std::set<int> present(map.cells.samples().begin(), map.cells.samples().end());
+  for (const int kind : present)
+    longest = std::max(longest, map.classes[static_cast<std::size_t>(kind)].label.size());
+  for (const MapOutline& outline : map.outlines) longest = std::max(longest, outline.label.size());
+  return (3.5 + 0.53 * static_cast<double>(longest)) * font;
 }
 
 // The plot's place in the picture, and where the values of its axes fall.
@@ -58,16 +80,23 @@ class Frame {
   [[nodiscard]] double cell_height() const {
     return (box_[3] - box_[1]) / static_cast<double>(map_.cells.rows());
   }
-  [[nodiscard]] double x(double value) const {
-    return box_[0] +
-           (share(map_.x, value) * static_cast<double>(map_.cells.cols() - 1) + 0.5) * cell_width();
+  [[nodiscard]] double x(double value) const { return x_at(share(map_.x, value)); }
+  [[nodiscard]] double y(double value) const { return y_at(share(map_.y, value)); }
+  /// A share of the way from the first to the last value: from centre to centre of the outermost
+  /// cells, or from edge to edge of a single one.
+  [[nodiscard]] double x_at(double share) const {
+    return place(share, box_[0], box_[2], map_.cells.cols());
   }
-  [[nodiscard]] double y(double value) const {
-    return box_[1] + (share(map_.y, value) * static_cast<double>(map_.cells.rows() - 1) + 0.5) *
-                         cell_height();
+  [[nodiscard]] double y_at(double share) const {
+    return place(share, box_[1], box_[3], map_.cells.rows());
   }
 
  private:
+  static double place(double share, double low, double high, Index cells) {
+    const double cell = (high - low) / static_cast<double>(cells);
+    return cells == 1 ? low + share * (high - low)
+                      : low + (share * static_cast<double>(cells - 1) + 0.5) * cell;
+  }
   static double share(const MapAxis& axis, double value) {
     return axis.last == axis.first ? 0.5 : (value - axis.first) / (axis.last - axis.first);
   }
@@ -82,23 +111,50 @@ std::vector<double> axis_ticks(const MapAxis& axis) {
 }
 
 // Runs of equal cells of a row become one box.
-void draw_cells(const ClassMap& map, const Frame& frame, Painter& paint) {
-  std::vector<Box> boxes;
-  std::vector<Rgb> colors;
+void draw_cells(const ClassMap& map, const Frame& frame, vtkRenderer& renderer) {
+  std::map<int, Shapes> shapes;
   const Box& place = frame.box();
   for (Index r = 0; r < map.cells.rows(); ++r) {
     Index begin = 0;
     for (Index c = 1; c <= map.cells.cols(); ++c) {
       if (c < map.cells.cols() && map.cells(r, c) == map.cells(r, begin)) continue;
-      boxes.push_back({place[0] + static_cast<double>(begin) * frame.cell_width(),
-                       place[1] + static_cast<double>(r) * frame.cell_height(),
-                       place[0] + static_cast<double>(c) * frame.cell_width(),
-                       place[1] + static_cast<double>(r + 1) * frame.cell_height()});
-      colors.push_back(map.classes[static_cast<std::size_t>(map.cells(r, begin))].color);
+      shapes.try_emplace(map.cells(r, begin), 0)
+          .first->second.box(drawn(place[0] + static_cast<double>(begin) * frame.cell_width(),
+                                   place[1] + static_cast<double>(r) * frame.cell_height()),
+                             drawn(place[0] + static_cast<double>(c) * frame.cell_width(),
+                                   place[1] + static_cast<double>(r + 1) * frame.cell_height()));
       begin = c;
     }
   }
-  paint.boxes(boxes, colors);
+  for (const auto& [kind, boxes] : shapes)
+    boxes.draw(map.classes[static_cast<std::size_t>(kind)].color, renderer);
+}
+
+// Each on a white casing, so that it stands out from light and dark cells. Gives back the outlines
+// that are in the picture.
+std::vector<const MapOutline*> draw_outlines(const ClassMap& map, const Frame& frame, double font,
+                                             vtkRenderer& renderer) {
+  std::vector<const MapOutline*> visible;
+  const double width = outline_width * font * supersampling;
+  Shapes casing(1);
+  for (const MapOutline& outline : map.outlines) {
+    const auto pieces = zero_lines(outline.field, outline.within);
+    if (pieces.empty()) continue;
+    visible.push_back(&outline);
+    Shapes line(2);
+    const auto place = [&](const std::array<double, 2>& at) {
+      return Pixel{
+          frame.x_at(at[0] / static_cast<double>(outline.field.cols() - 1)) * supersampling,
+          frame.y_at(at[1] / static_cast<double>(outline.field.rows() - 1)) * supersampling};
+    };
+    for (const auto& [a, b] : pieces) {
+      casing.line({place(a), place(b)}, false, 2.2 * width);
+      line.line({place(a), place(b)}, false, width);
+    }
+    line.draw(outline.color, renderer);
+  }
+  casing.draw({255, 255, 255}, renderer);
+  return visible;
 }
 
 void draw_axes(const ClassMap& map, const Frame& frame, double font, Painter& paint) {
@@ -112,7 +168,7 @@ void draw_axes(const ClassMap& map, const Frame& frame, double font, Painter& pa
     lines.push_back({x - 0.5, place[1] - 1 - length, x + 0.5, place[1] - 1});
     paint.text(x_labels[i], x, place[1] - 1.5 * length - 1, font, TextPlace::below);
   }
-  const std::vector<double> ys = axis_ticks(map.y);
+  const std::vector<double> ys = map.y.name.empty() ? std::vector<double>() : axis_ticks(map.y);
   const std::vector<std::string> y_labels = tick_labels(ys);
   for (std::size_t i = 0; i < ys.size(); ++i) {
     const double y = frame.y(ys[i]);
@@ -121,11 +177,13 @@ void draw_axes(const ClassMap& map, const Frame& frame, double font, Painter& pa
   }
   paint.boxes(lines, std::vector<Rgb>(lines.size(), ink));
   paint.text(map.x.name, (place[0] + place[2]) / 2, 2.4 * font, 1.15 * font, TextPlace::below);
-  paint.text(map.y.name, 1.6 * font, (place[1] + place[3]) / 2, 1.15 * font,
-             TextPlace::above_turned);
+  if (!map.y.name.empty())
+    paint.text(map.y.name, 1.6 * font, (place[1] + place[3]) / 2, 1.15 * font,
+               TextPlace::above_turned);
 }
 
-void draw_legend(const ClassMap& map, const Frame& frame, double font, Painter& paint) {
+void draw_legend(const ClassMap& map, const Frame& frame,
+                 const std::vector<const MapOutline*>& outlines, double font, Painter& paint) {
   const std::set<int> present(map.cells.samples().begin(), map.cells.samples().end());
   const double left = frame.box()[2] + font;
   double top = frame.box()[3];
@@ -142,6 +200,14 @@ void draw_legend(const ClassMap& map, const Frame& frame, double font, Painter& 
     paint.text(kind.label, left + 1.9 * font, top - font / 2, font, TextPlace::right_middle);
     top -= 1.6 * font;
   }
+  if (!outlines.empty()) top -= 0.8 * font;
+  for (const MapOutline* outline : outlines) {
+    const double half = outline_width * font / 2;
+    boxes.push_back({left, top - font / 2 - half, left + 1.4 * font, top - font / 2 + half});
+    colors.push_back(outline->color);
+    paint.text(outline->label, left + 1.9 * font, top - font / 2, font, TextPlace::right_middle);
+    top -= 1.6 * font;
+  }
   paint.boxes(boxes, colors);
 }
 
@@ -156,9 +222,11 @@ void plot_map(const ClassMap& map, std::array<int, 2> size, const std::filesyste
   canvas.window().AddRenderer(renderer);
   Painter paint(*renderer, canvas.supersampling(), ink);
   const Frame frame(map, size, font);
-  draw_cells(map, frame, paint);
+  draw_cells(map, frame, *renderer);
+  const auto outlines = draw_outlines(map, frame, font, *renderer);
   draw_axes(map, frame, font, paint);
-  draw_legend(map, frame, font, paint);
+  draw_legend(map, frame, outlines, font, paint);
+  set_pixel_camera(size[0] * supersampling, size[1] * supersampling, *renderer);
   write_png(canvas.draw(), png);
 }
 
