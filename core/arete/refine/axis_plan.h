@@ -82,6 +82,10 @@ class AxisPlan {
   /// two axes in step needs equally many).
   void pad_levels(std::size_t count);
 
+  /// The results `outputs` as an axis of its own that reads the real samples `samples` only,
+  /// numbered from 0. window() (axis_window.h) says which samples those must be.
+  [[nodiscard]] AxisPlan restricted(IndexRange outputs, IndexRange samples) const;
+
   /// How many samples beyond its own cell [floor(x), floor(x)+1] a result may read at level 0.
   [[nodiscard]] Index reach() const;
 
