@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// arete coarsen: a raster taken apart into a coarse raster and a details file.
+// arete coarsen: a raster or mesh taken apart into a coarse one and a details file.
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -17,6 +17,10 @@
 #include "cli/raster_notes.h"
 #include "cli/scheme_json.h"
 #include "cli/verb.h"
+#ifdef ARETE_HAVE_OPENMESH
+#include "arete/openmesh/mesh_io.h"
+#include "cli/coarsen_mesh.h"
+#endif
 
 namespace arete::cli {
 namespace {
@@ -26,6 +30,7 @@ struct CoarsenArguments {
   std::string output;
   std::string details;
   std::string scheme;
+  std::string rim;
   int levels = 1;
   std::string mode = "least-squares";
   std::string boundary = "extrapolate";
@@ -36,6 +41,7 @@ struct CoarsenArguments {
   std::string type = "float64";
   bool overwrite = false;
   bool json = false;
+  std::string raster_option;  // the first one given that says nothing to a mesh
 };
 
 struct Summary {
@@ -45,10 +51,7 @@ struct Summary {
   std::size_t bytes = 0;
 };
 
-void check_arguments(const CoarsenArguments& a) {
-  const std::string form = std::filesystem::path(a.output).extension().string();
-  if (form != ".tif" && form != ".tiff")
-    throw Misuse(a.output + ": the coarse raster is a GeoTIFF; name it .tif");
+void check_thinning(const CoarsenArguments& a) {
   if (a.details.empty() && (a.threshold || a.target_rmse))
     throw Misuse("--threshold and --target-rmse say which details to keep; give --details FILE");
   if (a.threshold && a.target_rmse)
@@ -59,7 +62,14 @@ void check_arguments(const CoarsenArguments& a) {
                  " is impossible; give 0 or more, in units of the heights");
   if (!a.details.empty() &&
       std::filesystem::weakly_canonical(a.details) == std::filesystem::weakly_canonical(a.output))
-    throw Misuse("--details names the coarse raster itself; name another file");
+    throw Misuse("--details names the coarse output itself; name another file");
+}
+
+void check_raster_arguments(const CoarsenArguments& a) {
+  const std::string form = std::filesystem::path(a.output).extension().string();
+  if (form != ".tif" && form != ".tiff")
+    throw Misuse(a.output + ": the coarse raster is a GeoTIFF; name it .tif");
+  if (!a.rim.empty()) throw Misuse("--rim is for meshes; rasters have --boundary");
 }
 
 // Coarse samples as the file will hold them, so that details fit what is read back.
@@ -153,8 +163,21 @@ void report(const CoarsenArguments& a, const Work& work, const Summary& summary,
               << summary.error.rmse << " and the largest error " << summary.error.largest << '\n';
 }
 
+#ifdef ARETE_HAVE_OPENMESH
+void coarsen_as_mesh(const CoarsenArguments& a) {
+  if (!a.raster_option.empty())
+    throw Misuse(a.raster_option + " is for rasters; " + a.input + " is a mesh");
+  coarsen_mesh({a.input, a.output, a.details, a.scheme, a.rim, a.mode, a.levels, a.threshold,
+                a.target_rmse, a.overwrite, a.json});
+}
+#endif
+
 void coarsen(const CoarsenArguments& a) {
-  check_arguments(a);
+  check_thinning(a);
+#ifdef ARETE_HAVE_OPENMESH
+  if (openmesh::is_mesh_file(a.input)) return coarsen_as_mesh(a);
+#endif
+  check_raster_arguments(a);
   const auto start = std::chrono::steady_clock::now();
   const Scheme scheme = read_scheme(a.scheme);
   const GridReverseOptions options{a.levels, parse_reverse_mode(a.mode),
@@ -215,13 +238,18 @@ void coarsen(const CoarsenArguments& a) {
 
 void add_coarsen(CLI::App& program, Job& job) {
   CLI::App* verb = program.add_subcommand(
-      "coarsen", "Take a raster apart: a coarse raster (.tif) and the details that restore it");
+      "coarsen", "Take a raster or mesh apart: a coarse one and the details that restore it");
   auto a = std::make_shared<CoarsenArguments>();
-  verb->add_option("IN", a->input, "Any raster that GDAL reads")->required();
-  verb->add_option("OUT", a->output, "The coarse raster, a .tif")->required();
-  verb->add_option("--scheme", a->scheme,
-                   "Scheme whose refinement is undone, e.g. chaikin ('arete schemes' lists all)")
+  verb->add_option("IN", a->input, "Any raster that GDAL reads, or a mesh: .obj, .ply, .off, .stl")
       ->required();
+  verb->add_option("OUT", a->output, "The coarse raster, a .tif, or mesh")->required();
+  verb->add_option("--scheme", a->scheme,
+                   "Scheme whose refinement is undone, e.g. chaikin ('arete schemes' lists all); "
+                   "of meshes catmull-clark, loop, loop-warren or doo-sabin")
+      ->required();
+  verb->add_option("--rim", a->rim,
+                   "How the boundary of an open mesh was made: smooth, sharp-corners or thirds "
+                   "(default: what fits best)");
   verb->add_option("--levels", a->levels, "How many steps are undone")->capture_default_str();
   verb->add_option("--details", a->details,
                    "Where to keep what 'arete restore' needs to give the input back");
@@ -247,7 +275,11 @@ void add_coarsen(CLI::App& program, Job& job) {
       ->capture_default_str();
   verb->add_flag("--overwrite", a->overwrite, "Replace OUT and the details if they exist");
   verb->add_flag("--json", a->json, "Print one JSON object about what was done");
-  verb->callback([&job, a] { job = [a] { coarsen(*a); }; });
+  verb->callback([&job, a, verb] {
+    for (const char* option : {"--boundary", "--threads", "--max-memory", "--type"})
+      if (a->raster_option.empty() && verb->count(option) > 0) a->raster_option = option;
+    job = [a] { coarsen(*a); };
+  });
 }
 
 }  // namespace arete::cli

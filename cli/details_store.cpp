@@ -34,10 +34,7 @@ const Pack pack;
 const Unpack unpack;
 #endif
 
-}  // namespace
-
-std::size_t write_details(const std::filesystem::path& path, const DetailsFile& details) {
-  const Bytes bytes = encode_details(details, pack);
+std::size_t write_bytes(const std::filesystem::path& path, const Bytes& bytes) {
   std::ofstream stream(path, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
@@ -46,20 +43,46 @@ std::size_t write_details(const std::filesystem::path& path, const DetailsFile& 
   return bytes.size();
 }
 
-DetailsFile read_details(const std::string& path) {
+Bytes read_bytes(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw Failure(path + " is a folder; name a details file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Failure(path + " cannot be read; check the path");
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  Bytes bytes(std::istreambuf_iterator<char>(stream), {});
   if (stream.bad()) throw Failure(path + " cannot be read to its end; the file may be damaged");
+  return bytes;
+}
+
+template <class Decode>
+auto decoded(const std::string& path, Decode&& decode) {
+  const Bytes bytes = read_bytes(path);
   try {
-    return decode_details({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
-                          unpack);
+    return decode(bytes, unpack);
   } catch (const InvalidDetails& refused) {
     throw Failure(path + ": " + refused.what());
   }
 }
+
+}  // namespace
+
+std::size_t write_details(const std::filesystem::path& path, const DetailsFile& details) {
+  return write_bytes(path, encode_details(details, pack));
+}
+std::size_t write_details(const std::filesystem::path& path, const MeshDetailsFile& details) {
+  return write_bytes(path, encode_mesh_details(details, pack));
+}
+
+DetailsFile read_details(const std::string& path) {
+  return decoded(path, [](const Bytes& bytes, const Unpack& unpacked) {
+    return decode_details(bytes, unpacked);
+  });
+}
+MeshDetailsFile read_mesh_details(const std::string& path) {
+  return decoded(path, [](const Bytes& bytes, const Unpack& unpacked) {
+    return decode_mesh_details(bytes, unpacked);
+  });
+}
+bool holds_mesh_details(const std::string& path) { return are_mesh_details(read_bytes(path)); }
 
 }  // namespace arete::cli

@@ -18,8 +18,10 @@ void catch_interruptions() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, note_interruption);
 }
 
+bool is_interrupted() { return interrupted != 0; }
+
 void stop_if_interrupted() {
-  if (interrupted != 0) throw Interrupted();
+  if (is_interrupted()) throw Interrupted();
 }
 
 }  // namespace arete::cli

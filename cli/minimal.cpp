@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/boundary_loop.h"
+#include "arete/variational/boundary_loop.h"
 #include "cli/error.h"
 #include "cli/interruption.h"
 #include "cli/output_file.h"
@@ -43,6 +43,17 @@ std::vector<Point3> read_loop(const std::string& path) {
   // A loop whose last point repeats the first is meant as closed all the same.
   if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
   return loop;
+}
+
+PatchBoundary boundary_of(const MinimalArguments& a, const std::vector<Point3>& loop) {
+  const std::vector<Point3> other = a.other.empty() ? std::vector<Point3>() : read_loop(a.other);
+  try {
+    return a.other.empty() ? patch_boundary(loop, a.corners, a.smooth)
+                           : ring_boundary(loop, other, a.smooth);
+  } catch (const InvalidField& error) {
+    if (!a.corners.empty()) throw Misuse(std::string("--corners: ") + error.what());
+    throw Failure(a.boundary + ": " + error.what());
+  }
 }
 
 MinimalSurface solve(const MinimalArguments& a, const PatchBoundary& boundary) {
@@ -100,9 +111,7 @@ void run_minimal(const MinimalArguments& a) {
   const std::vector<Point3> loop = read_loop(a.boundary);
   if (!a.other.empty() && !a.corners.empty())
     throw Misuse("--corners: a ring between two loops has none; leave it out");
-  const PatchBoundary boundary = a.other.empty()
-                                     ? patch_boundary(loop, a.corners, a.smooth)
-                                     : ring_boundary(loop, read_loop(a.other), a.smooth);
+  const PatchBoundary boundary = boundary_of(a, loop);
   OutputFile output(a.output, a.boundary, a.overwrite);
   const MinimalSurface surface = solve(a, boundary);
   write_surface(surface, {a.view[0], a.view[1], a.size[0], a.size[1]}, output.temporary());

@@ -10,6 +10,7 @@
 
 #include "arete/analysis/limit_stencil.h"
 #include "arete/gdal/refine_raster.h"
+#include "cli/cardinal_stencil.h"
 #include "cli/detail_statistics.h"
 #include "cli/disk_space.h"
 #include "cli/error.h"
@@ -48,6 +49,7 @@ struct RefineArguments {
   std::optional<double> roughness;
   std::optional<double> relief;
   std::optional<std::uint64_t> seed;
+  bool interpolate = false;
   bool overwrite = false;
   bool json = false;
 };
@@ -125,6 +127,7 @@ void refine_mesh(const RefineArguments& arguments) {
   if (arguments.roughness || arguments.relief || arguments.seed)
     throw Misuse("--detail is for rasters; a mesh has no heights to displace");
   if (arguments.band != 1) throw Misuse("--band is for rasters; a mesh has no bands");
+  if (arguments.interpolate) throw Misuse("--interpolate is for rasters; leave it out for a mesh");
   MeshJob job{arguments.input, arguments.output, read_scheme(arguments.scheme),
               read_scheme(arguments.scheme_y.empty() ? arguments.scheme : arguments.scheme_y)};
   if (arguments.levels < 0)
@@ -175,6 +178,7 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
                 {"bands", done.bands},      {"levels", arguments.levels},
                 {"scheme", x.text()}};
     if (!(x == y)) object["scheme_y"] = y.text();
+    object["interpolated"] = arguments.interpolate;
     object["seconds"] = seconds;
     object["samples_per_second"] = speed;
     object["threads"] = threads;
@@ -189,7 +193,8 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
        << arguments.output << " (" << done.output.cols << " x " << done.output.rows;
   if (done.bands > 1) line << ", " << done.bands << " bands";
   line << "): " << x.text() << (x == y ? "" : " along x, " + y.text() + " along y") << ", "
-       << arguments.levels << (arguments.levels == 1 ? " level" : " levels") << std::fixed
+       << arguments.levels << (arguments.levels == 1 ? " level" : " levels")
+       << (arguments.interpolate ? ", limit through the samples" : "") << std::fixed
        << std::setprecision(2) << ", " << seconds << " s, " << std::setprecision(1) << speed / 1e6
        << " M samples/s";
   std::cout << line.str() << '\n';
@@ -218,6 +223,11 @@ void refine(const RefineArguments& arguments) {
   const auto type =
       arguments.type == "float64" ? gdal::SampleType::float64 : gdal::SampleType::float32;
 
+  if (arguments.interpolate && is_mesh_form(form))
+    throw Misuse("--interpolate is for rasters and VTK files; write a .tif, .vti, .vts or .vtp");
+  std::optional<gdal::LimitWeights> interpolate;
+  if (arguments.interpolate) interpolate = {cardinal_stencil(x), cardinal_stencil(y)};
+
   const gdal::Raster input(arguments.input);
   OutputFile output(arguments.output, arguments.input, arguments.overwrite);
   const auto start = std::chrono::steady_clock::now();
@@ -231,7 +241,7 @@ void refine(const RefineArguments& arguments) {
                      static_cast<double>(input.bands().size()) *
                      (type == gdal::SampleType::float64 ? 8 : 4));
       done = gdal::refine_raster(input, output.temporary().string(), x, y, options,
-                                 {type, arguments.creation_options, memory},
+                                 {type, arguments.creation_options, memory, interpolate},
                                  [&](double share) { progress.show(share); });
     }
 #ifdef ARETE_HAVE_OPENMESH
@@ -243,7 +253,7 @@ void refine(const RefineArguments& arguments) {
 #ifdef ARETE_HAVE_VTK
     else {
       done = refine_to_surface(input, arguments.band, output.temporary(), form, x, y, options, type,
-                               memory, progress);
+                               memory, interpolate, progress);
     }
 #endif
   }
@@ -294,6 +304,8 @@ void add_refine(CLI::App& program, Job& job) {
   verb->add_option("--detail-relief", a->relief,
                    "Height of the detail as a share of the local relief (0.15)")
       ->check(CLI::NonNegativeNumber);
+  verb->add_flag("--interpolate", a->interpolate,
+                 "Find the control points whose limit passes through the samples, and refine them");
   verb->add_option("--threads", a->threads, "0: as many as the machine has; never changes a bit")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// arete restore: the raster that 'arete coarsen' took apart, or any level between.
+// arete restore: the raster or mesh that 'arete coarsen' took apart, or any level between.
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -16,6 +16,9 @@
 #include "cli/raster_notes.h"
 #include "cli/scheme_json.h"
 #include "cli/verb.h"
+#ifdef ARETE_HAVE_OPENMESH
+#include "cli/coarsen_mesh.h"
+#endif
 
 namespace arete::cli {
 namespace {
@@ -31,6 +34,7 @@ struct RestoreArguments {
   bool edited = false;
   bool overwrite = false;
   bool json = false;
+  std::string raster_option;  // the first one given that says nothing to a mesh
 };
 
 void check_pair(const RestoreArguments& a, const gdal::Raster& raster, const DetailsFile& file,
@@ -70,6 +74,15 @@ Grid<double> coarse_samples(const RestoreArguments& a, const gdal::Raster& raste
 }
 
 void restore(const RestoreArguments& a) {
+  if (holds_mesh_details(a.details)) {
+#ifdef ARETE_HAVE_OPENMESH
+    if (!a.raster_option.empty())
+      throw Misuse(a.raster_option + " is for rasters; " + a.details + " is of a mesh");
+    return restore_mesh({a.coarse, a.output, a.details, a.levels, a.edited, a.overwrite, a.json});
+#else
+    throw Failure(a.details + " is of a mesh, and this arete was built without OpenMesh");
+#endif
+  }
   const std::string form = std::filesystem::path(a.output).extension().string();
   if (form != ".tif" && form != ".tiff")
     throw Misuse(a.output + ": the restored raster is a GeoTIFF; name it .tif");
@@ -144,11 +157,11 @@ void restore(const RestoreArguments& a) {
 }  // namespace
 
 void add_restore(CLI::App& program, Job& job) {
-  CLI::App* verb =
-      program.add_subcommand("restore", "Give back the raster that 'arete coarsen' took apart");
+  CLI::App* verb = program.add_subcommand(
+      "restore", "Give back the raster or mesh that 'arete coarsen' took apart");
   auto a = std::make_shared<RestoreArguments>();
-  verb->add_option("COARSE", a->coarse, "The coarse raster")->required();
-  verb->add_option("OUT", a->output, "The restored raster, a .tif")->required();
+  verb->add_option("COARSE", a->coarse, "The coarse raster or mesh")->required();
+  verb->add_option("OUT", a->output, "The restored raster, a .tif, or mesh")->required();
   verb->add_option("--details", a->details, "The details written with COARSE")->required();
   verb->add_option("--levels", a->levels, "How many levels to restore (default: all)");
   verb->add_option("--type", a->type,
@@ -163,7 +176,11 @@ void add_restore(CLI::App& program, Job& job) {
                  "COARSE was changed on purpose: add the details to it as it is");
   verb->add_flag("--overwrite", a->overwrite, "Replace OUT if it exists");
   verb->add_flag("--json", a->json, "Print one JSON object about what was done");
-  verb->callback([&job, a] { job = [a] { restore(*a); }; });
+  verb->callback([&job, a, verb] {
+    for (const char* option : {"--type", "--threads", "--max-memory"})
+      if (a->raster_option.empty() && verb->count(option) > 0) a->raster_option = option;
+    job = [a] { restore(*a); };
+  });
 }
 
 }  // namespace arete::cli

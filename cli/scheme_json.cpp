@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "arete/analysis/limit_norm.h"
 #include "arete/analysis/limit_stencil.h"
 #include "arete/analysis/polynomial.h"
 #include "cli/error.h"
@@ -25,6 +26,7 @@ Json describe(const Scheme& scheme) {
   const auto stencil_or_null = [](const std::optional<Stencil>& stencil) {
     return stencil ? stencil_json(*stencil) : Json(nullptr);
   };
+  const auto norm = limit_norm(mask);
   return {{"scheme", scheme.text()},
           {"arity", mask.arity()},
           {"first", mask.first()},
@@ -33,7 +35,10 @@ Json describe(const Scheme& scheme) {
           {"sum_rules", sum_rules(mask)},
           {"reproduction_degree", reproduction_degree(mask)},
           {"interpolatory", is_interpolatory(mask)},
-          {"overshoot", to_string(overshoot(mask))},
+          {"overshoot", norm ? Json(to_string(norm->overshoot())) : Json(nullptr)},
+          {"overshoot_of_surface",
+           norm ? Json(to_string(norm->surface_overshoot(*norm))) : Json(nullptr)},
+          {"overshoot_of_level", to_string(overshoot(mask))},
           {"limit_stencil", stencil_or_null(limit_stencil(mask))},
           {"derivative_stencil", stencil_or_null(derivative_stencil(mask))}};
 }

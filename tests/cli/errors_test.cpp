@@ -155,7 +155,7 @@ TEST(cli_errors, bad_pictures_are_refused) {
   expect_error({"render", dem, out, "--size", "big"}, 2, "1600x1000");
   expect_error({"render", dem, out, "--light", "1"}, 2, "azimuth");
   expect_error({"render", dem, out, "--colormap", "none"}, 1, "choose one of");
-  expect_error({"render", dem, folder.file("out.jpg")}, 2, ".png");
+  expect_error({"render", dem, folder.file("out.bmp")}, 2, ".png");
   expect_error({"render", dem, out, "--band", "2"}, 2, "no data band 2");
   EXPECT_EQ(folder.entries(), 0);
 }

@@ -321,7 +321,7 @@ TEST(cli_reverse, misuse_exits_with_2_and_writes_nothing) {
   expect_refused({"coarsen", dem, out, "--scheme", "gentle", "--details", ard, "--threshold", "-1"},
                  2, "impossible");
   expect_refused({"coarsen", dem, out, "--scheme", "gentle", "--details", out}, 2,
-                 "names the coarse raster");
+                 "names the coarse output");
   expect_refused({"coarsen", dem, out, "--scheme", "corner-cutting:u=1/2,v=1/2"}, 2,
                  "cannot be reversed");
   expect_refused({"coarsen", dem, out, "--scheme", "chaikin", "--max-memory", "1M"}, 1, "memory");

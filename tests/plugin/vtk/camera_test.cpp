@@ -35,7 +35,7 @@ std::vector<Vector3> boulders(const Vector3& size, unsigned seed) {
 class Views : public testing::TestWithParam<bool> {
  protected:
   static void look(std::span<const Vector3> points, double aspect, vtkCamera& camera) {
-    GetParam() ? look_from_south(points, 42, aspect, 0.9, camera)
+    GetParam() ? look_from(points, {180, 42}, aspect, 0.9, camera)
                : look_down(points, aspect, 0.9, camera);
   }
 };
@@ -69,6 +69,43 @@ TEST_P(Views, east_is_right_and_north_is_up) {
   EXPECT_GT(seen({1, 0, 0}, 1.5, *camera)[0], seen({-1, 0, 0}, 1.5, *camera)[0]);
   EXPECT_GT(seen({0, 1, 0}, 1.5, *camera)[1], seen({0, -1, 0}, 1.5, *camera)[1]);
   EXPECT_LT(seen({0, 0, 0.5}, 1.5, *camera)[2], seen({0, 0, 0}, 1.5, *camera)[2]) << "from above";
+}
+
+TEST(camera, what_lies_towards_the_camera_s_azimuth_is_near_and_what_is_clockwise_of_it_left) {
+  const std::vector<Vector3> points{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  const std::array<Vector3, 4> around{Vector3{0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {-1, 0, 0}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    vtkNew<vtkCamera> camera;
+    look_from(points, {90.0 * static_cast<double>(k), 30}, 1, 0.9, *camera);
+    const Vector3 near = seen(around[k], 1, *camera);
+    const Vector3 far = seen(around[(k + 2) % 4], 1, *camera);
+    EXPECT_LT(near[2], far[2]);
+    EXPECT_LT(near[1], far[1]) << "what is near is lower in the picture";
+    EXPECT_NEAR(near[0], 0, 1e-9);
+    EXPECT_LT(seen(around[(k + 1) % 4], 1, *camera)[0], -0.1);
+  }
+}
+
+TEST(camera, an_orbit_keeps_every_point_in_the_picture_and_no_farther_than_needed) {
+  const auto points = boulders({30, 10, 2}, 7);
+  std::vector<double> azimuths;
+  for (int k = 0; k < 12; ++k) azimuths.push_back(30.0 * k);
+  const Vector3 middle{1, -2, 0.5};
+  const double radius = orbit_radius(points, middle, 35, azimuths, 1.5, 0.9);
+  double reach = 0;
+  for (const double azimuth : azimuths) {
+    vtkNew<vtkCamera> camera;
+    look_at(points, middle, {azimuth, 35}, radius, *camera);
+    for (const Vector3& point : points) {
+      const Vector3 at = seen(point, 1.5, *camera);
+      reach = std::max({reach, std::abs(at[0]), std::abs(at[1])});
+      EXPECT_LT(std::abs(at[2]), 1) << "nothing is clipped";
+    }
+    const Vector3 centre = seen(middle, 1.5, *camera);
+    EXPECT_NEAR(centre[0], 0, 1e-9) << "the middle stands still";
+    EXPECT_NEAR(centre[1], 0, 1e-9);
+  }
+  EXPECT_NEAR(reach, 0.9, 1e-6);
 }
 
 }  // namespace

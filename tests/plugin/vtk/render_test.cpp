@@ -91,9 +91,9 @@ TEST_F(Render, a_slope_that_faces_the_light_is_brighter) {
       planted<float>(extent, unit, [](double, double y) { return -std::abs(y - 30); });
   const auto halves = [&](const Grid<float>& grid, double azimuth, double elevation) {
     RenderOptions options = small_options(View::map);
-    options.colormap = "clay";
-    options.light_azimuth = azimuth;
-    options.light_elevation = elevation;
+    options.appearance.colormap = "clay";
+    options.lights[0].azimuth = azimuth;
+    options.lights[0].elevation = elevation;
     const Image image = draw(surface_of(grid, unit), options);
     const Box box = box_of(image, is_drawn);
     struct {
@@ -121,10 +121,10 @@ TEST_F(Render, a_slope_that_faces_the_light_is_brighter) {
 TEST_F(Render, what_no_light_reaches_is_dark_and_not_black) {
   const auto cliff = planted<float>(extent, unit, [](double x, double) { return -x; });
   RenderOptions options = small_options(View::map);
-  options.colormap = "clay";
+  options.appearance.colormap = "clay";
   options.exaggeration = 5;  // 79 degrees, away from a light that nearly lies on the ground
-  options.light_azimuth = 270;
-  options.light_elevation = 1;
+  options.lights[0].azimuth = 270;
+  options.lights[0].elevation = 1;
   const Image image = draw(surface_of(cliff, unit), options);
   const double brightness = mean_luma(image, part(box_of(image, is_drawn), 0.2, 0.2, 0.8, 0.8));
   EXPECT_GT(brightness, 50);
@@ -136,7 +136,7 @@ TEST_F(Render, given_gradients_shade_a_level_surface) {
   const Grid<float> up_east(extent, 1);
   const Grid<float> none(extent, 0);
   RenderOptions options = small_options(View::map);
-  options.light_azimuth = 270;
+  options.lights[0].azimuth = 270;
   options.exaggeration = 1;
   Surface surface = surface_of(level, unit);
   const auto brightness = [&] {
@@ -156,7 +156,7 @@ TEST_F(Render, north_is_up_and_east_right_whichever_way_the_raster_runs) {
       const auto grid = planted<float>(extent, georeference,
                                        [&](double x, double y) { return northwards ? y : x; });
       RenderOptions options = small_options(View::map);
-      options.colormap = "gray";
+      options.appearance.colormap = "gray";
       const Image image = draw(surface_of(grid, georeference), options);
       const Box box = box_of(image, is_drawn);
       const double low = mean_luma(
@@ -211,8 +211,8 @@ TEST_F(Render, a_hole_is_as_large_as_its_missing_quads) {
 TEST_F(Render, colours_follow_the_height_and_the_range) {
   const auto grid = planted<float>(extent, unit, [](double x, double) { return x; });
   RenderOptions options = small_options(View::map);
-  options.colormap = "viridis";
-  options.light_elevation = 90;
+  options.appearance.colormap = "viridis";
+  options.lights[0].elevation = 90;
   const auto redder_east = [&] {
     const Image image = draw(surface_of(grid, unit), options);
     const Box box = box_of(image, is_drawn);
@@ -223,7 +223,7 @@ TEST_F(Render, colours_follow_the_height_and_the_range) {
   EXPECT_GT(redder_east(), 100) << "violet to yellow";
   EXPECT_NEAR(report_.lowest, 0.5, 1e-6);
   EXPECT_NEAR(report_.highest, 59.5, 1e-6);
-  options.range = {{1000, 2000}};
+  options.appearance.range = {{1000, 2000}};
   EXPECT_NEAR(redder_east(), 0, 3) << "all below the range";
   EXPECT_EQ(report_.lowest, 1000);
 }
@@ -322,10 +322,9 @@ TEST_F(Render, a_texture_covers_the_raster_s_box_north_up) {
       quarters.pixels.push_back(y < 32 ? (x < 32 ? red : green) : (x < 32 ? blue : white));
     }
   }
-  write_png(quarters, scratch / "quarters.png");
   const auto grid = planted<float>(extent, unit, [](double, double) { return 0; });
   RenderOptions options = small_options(View::map);
-  options.texture = scratch / "quarters.png";
+  options.appearance.texture = Texture{quarters};
   options.color_bar = true;  // there is none all the same: colours no longer mean heights
   const Image image = draw(surface_of(grid, unit), options);
   const Box box = box_of(image, is_drawn);
@@ -425,17 +424,19 @@ TEST_F(Render, refuses_options_out_of_range_and_paths_that_are_none) {
     EXPECT_NE(text.find(why), std::string::npos) << text;
     EXPECT_FALSE(std::filesystem::exists(picture));
   };
-  refused([](auto& o) { o.colormap = "rainbow"; }, "viridis");
+  refused([](auto& o) { o.appearance.colormap = "rainbow"; }, "viridis");
   refused([](auto& o) { o.width = 15; }, "15");
   refused([](auto& o) { o.height = 8193; }, "8193");
-  refused([](auto& o) { o.light_elevation = 91; }, "light");
-  refused([](auto& o) { o.light_azimuth = missing; }, "light");
+  refused([](auto& o) { o.lights[0].elevation = 91; }, "light");
+  refused([](auto& o) { o.lights[0].azimuth = missing; }, "light");
   refused([](auto& o) { o.exaggeration = -1; }, "exaggeration");
-  refused([](auto& o) { o.range = {{2, 2}}; }, "range");
-  refused([](auto& o) { o.texture = "/none/a.png"; }, "/none/a.png");
-  const auto no_picture = scratch / "text.png";
-  std::ofstream(no_picture) << "not a picture";
-  refused([&](auto& o) { o.texture = no_picture; }, "text.png");
+  refused([](auto& o) { o.appearance.range = {{2, 2}}; }, "range");
+  refused([](auto& o) { o.appearance.texture = Texture{}; }, "no pixels");
+  refused([](auto& o) { o.appearance.texture = Texture{{2, 2, {Rgb{}}}}; }, "pixels");
+  refused([](auto& o) { o.appearance.palette = Palette{}; }, "layer");
+  refused([](auto& o) { o.material.ambient = 1.5; }, "ambient");
+  refused([](auto& o) { o.pitch = 90; }, "camera");
+  refused([](auto& o) { o.most_samples = 1; }, "samples");
   EXPECT_EQ(message([](auto&) {}, scratch / "none/a.png").rfind("write: ", 0), 0u);
   EXPECT_EQ(message([](auto&) {}, picture), "none");
 }

@@ -90,7 +90,7 @@ class LayerReader {
 
 PointLayer read_points(const std::string& path, const std::string& layer,
                        const std::string& height_field) {
-  refuse_forbidden(path);
+  refuse_remote(path);
   register_formats();
   const ErrorCollector errors;
   const std::unique_ptr<GDALDataset, CloseDataset> dataset(

@@ -40,7 +40,7 @@ void limit_cache(double bytes) { GDALSetCacheMax64(static_cast<GIntBig>(bytes));
 void Raster::Close::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 
 Raster::Raster(const std::string& path) : path_(path) {
-  refuse_forbidden(path);
+  refuse_remote(path);
   register_formats();
   const ErrorCollector errors;
   VSIStatBufL status;

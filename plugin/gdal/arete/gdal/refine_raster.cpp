@@ -7,6 +7,7 @@
 
 #include "arete/gdal/band_source.h"
 #include "arete/gdal/write_behind.h"
+#include "arete/variational/cardinal_source.h"
 
 namespace arete::gdal {
 namespace {
@@ -29,6 +30,12 @@ void encode_missing(GridView<T> rows, T nodata) {
     }
 }
 
+// Whether the limit shall pass through the input, and beside which boundaries.
+struct Controls {
+  const std::optional<LimitWeights>& weights;
+  Boundaries boundaries;
+};
+
 template <class T>
 bool has_valid(GridView<const T> rows) {
   for (Index r = 0; r < rows.rows(); ++r)
@@ -39,14 +46,19 @@ bool has_valid(GridView<const T> rows) {
 
 template <class T>
 void refine_bands(const Raster& input, WriteBehind<T>& output, const Refiner<T>& refiner,
-                  const std::optional<double>& nodata, Index chunk, const Progress& progress) {
+                  const std::optional<double>& nodata, const Controls& controls, Index chunk,
+                  const Progress& progress) {
   const Index height = refiner.output().rows;
   const double total = static_cast<double>(height) * static_cast<double>(input.bands().size());
   double done = 0;
   int number = 0;
   bool any_valid = false;
   for (const BandInfo& band : input.bands()) {
-    const BandSource<T> source(input, band);
+    const BandSource<T> samples(input, band);
+    std::optional<CardinalSource<T>> control;
+    if (controls.weights)
+      control.emplace(samples, controls.weights->x, controls.weights->y, controls.boundaries);
+    const RowSource<T>& source = control ? static_cast<const RowSource<T>&>(*control) : samples;
     ++number;
     for (Index first = 0; first < height; first += chunk) {
       const Index count = std::min(chunk, height - first);
@@ -74,7 +86,13 @@ RasterReport refine_as(const Raster& input, const std::string& output, const Sch
   const GeoTiffSpec spec = refined_spec(input, refiner.x(), refiner.y(), form, options.threads);
 
   const double row_bytes = static_cast<double>(refiner.output().cols) * sizeof(T);
-  const double working = refiner.working_bytes(256);
+  double working = refiner.working_bytes(256);
+  if (form.interpolate) {
+    const BandSource<T> samples(input, input.bands().front());
+    working +=
+        CardinalSource<T>(samples, form.interpolate->x, form.interpolate->y, options.boundaries)
+            .working_bytes();
+  }
   // A row of tiles must stay in GDAL's cache until it is full.
   constexpr double block_rows = 256;
   limit_cache(std::max(64e6, 1.5 * block_rows * row_bytes));
@@ -95,7 +113,8 @@ RasterReport refine_as(const Raster& input, const std::string& output, const Sch
       block * std::clamp<Index>(static_cast<Index>(affordable / row_bytes) / block, 1, 4);
   WriteBehind<T> behind(writer, {std::min(chunk, refiner.output().rows), refiner.output().cols},
                         overlap);
-  refine_bands(input, behind, refiner, spec.nodata, chunk, progress);
+  refine_bands(input, behind, refiner, spec.nodata, {form.interpolate, options.boundaries}, chunk,
+               progress);
   writer.close();
   return {input.extent(), refiner.output(), static_cast<int>(input.bands().size()),
           to_double(refiner.x().misplacement()), to_double(refiner.y().misplacement())};

@@ -2,19 +2,29 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "arete/gdal/geotiff.h"
 #include "arete/refine/refiner.h"
+#include "arete/scheme/stencil.h"
 
 namespace arete::gdal {
+
+/// The limit's weights at a sample, along x and along y.
+struct LimitWeights {
+  Stencil x;
+  Stencil y;
+};
 
 /// How the refined raster is written.
 struct RasterOutput {
   SampleType type = SampleType::float32;  ///< sums are taken in this type
   std::vector<std::string> creation_options;
   double max_memory = 1e9;  ///< bytes the refinement may hold at a time
+  /// Refine not the input but the control points whose limit passes through it (CardinalSource).
+  std::optional<LimitWeights> interpolate{};
 };
 
 /// What refine_raster did.
@@ -36,6 +46,7 @@ using Progress = std::function<void(double)>;
 ///
 /// Missing samples become the input's nodata value, or NaN when it has none; a valid result that
 /// happens to equal the nodata value is moved to the next number towards zero.
+/// With `interpolate` missing samples are refused: they have no control points.
 /// \throws RasterError, InvalidField; the file at `output` is then not usable and should be
 /// removed.
 RasterReport refine_raster(const Raster& input, const std::string& output, const Scheme& x,

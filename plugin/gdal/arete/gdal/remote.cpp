@@ -10,6 +10,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "arete/gdal/error.h"
 #include "arete/gdal/raster.h"
 
 namespace arete::gdal {
@@ -64,10 +65,8 @@ void forbid_remote_access() {
     }
 }
 
-bool remote_access_forbidden() { return forbidden; }
-
-void refuse_forbidden(const std::string& path) {
-  if (remote_access_forbidden() && is_remote(path))
+void refuse_remote(const std::string& path) {
+  if (forbidden && is_remote(path))
     throw RasterError(path +
                       " lies on a network, which is not asked unless --allow-remote is given; "
                       "download it, or give that option");

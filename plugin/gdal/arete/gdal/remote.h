@@ -14,10 +14,8 @@ namespace arete::gdal {
 /// raster is opened; cannot be undone.
 void forbid_remote_access();
 
-/// Whether forbid_remote_access() was called.
-[[nodiscard]] bool remote_access_forbidden();
-
-/// \throws RasterError for a remote name after that.
-void refuse_forbidden(const std::string& path);
+/// \throws RasterError if the name is remote and forbid_remote_access() was called. Whatever opens a
+/// file by a name that a user gave calls it.
+void refuse_remote(const std::string& path);
 
 }  // namespace arete::gdal

@@ -2,11 +2,13 @@
 #include "arete/vtk/image.h"
 
 #include <vtkImageData.h>
+#include <vtkJPEGWriter.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -14,6 +16,7 @@
 #include <string>
 
 #include "arete/vtk/error.h"
+#include "arete/vtk/internal/vtk_image.h"
 
 namespace arete::vtk {
 namespace {
@@ -66,35 +69,70 @@ Image shrink(const Image& image, int factor) {
   return small;
 }
 
-void write_png(const Image& image, const std::filesystem::path& path) {
-  const auto fail = [&](const std::string& why) {
-    throw WriteError("cannot write '" + path.string() + "': " + why);
-  };
-  const auto size = static_cast<std::size_t>(std::max(image.width, 0)) *
-                    static_cast<std::size_t>(std::max(image.height, 0));
-  if (size == 0 || image.pixels.size() != size) fail("the picture is empty or incomplete");
-
+vtkNew<vtkImageData> to_vtk(const Image& image) {
   vtkNew<vtkImageData> data;
   data->SetDimensions(image.width, image.height, 1);
   data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   const auto row_bytes = static_cast<std::size_t>(image.width) * 3;
-  for (int y = 0; y < image.height; ++y) {  // VTK's first row is the lowest
+  for (int y = 0; y < image.height; ++y)
     std::memcpy(data->GetScalarPointer(0, image.height - 1 - y, 0), image(0, y).data(), row_bytes);
-  }
-  // Into memory first: the writer would print what goes wrong with a file, and miss a full disk.
-  vtkNew<vtkPNGWriter> writer;
-  writer->WriteToMemoryOn();
-  writer->SetInputData(data);
-  writer->Write();
-  vtkUnsignedCharArray* png = writer->GetResult();
-  if (png == nullptr) fail("VTK gave up");
+  return data;
+}
 
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& why) {
+  throw WriteError("cannot write '" + path.string() + "': " + why);
+}
+
+/// Into memory: a VTK writer would print what goes wrong with a file, and miss a full disk.
+template <class Writer>
+std::vector<std::uint8_t> encode(const Image& image, const std::filesystem::path& path,
+                                 Writer& writer) {
+  const auto size = static_cast<std::size_t>(std::max(image.width, 0)) *
+                    static_cast<std::size_t>(std::max(image.height, 0));
+  if (size == 0 || image.pixels.size() != size) fail(path, "the picture is empty or incomplete");
+  const auto data = to_vtk(image);
+  writer.WriteToMemoryOn();
+  writer.SetInputData(data);
+  writer.Write();
+  vtkUnsignedCharArray* bytes = writer.GetResult();
+  if (bytes == nullptr) fail(path, "VTK gave up");
+  return {bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues()};
+}
+
+void write_bytes(const std::vector<std::uint8_t>& bytes, const std::filesystem::path& path) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(png->GetPointer(0)), png->GetNumberOfValues());
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
   file.close();
   if (!file)
-    fail(std::string(std::strerror(errno)) + "; see to the folder and the room on the disk");
+    fail(path, std::string(std::strerror(errno)) + "; see to the folder and the room on the disk");
+}
+
+bool is_jpeg(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".jpg" || extension == ".jpeg";
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Image& image, const std::filesystem::path& path) {
+  vtkNew<vtkPNGWriter> writer;
+  return encode(image, path, *writer);
+}
+
+void write_png(const Image& image, const std::filesystem::path& path) {
+  write_bytes(encode_png(image, path), path);
+}
+
+void write_picture(const Image& image, const std::filesystem::path& path) {
+  if (!is_jpeg(path)) return write_png(image, path);
+  vtkNew<vtkJPEGWriter> writer;
+  writer->SetQuality(92);
+  write_bytes(encode(image, path, *writer), path);
 }
 
 }  // namespace arete::vtk

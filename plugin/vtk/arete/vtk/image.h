@@ -23,8 +23,17 @@ struct Image {
   }
 };
 
+/// The bytes of a PNG. \throws WriteError naming `path` when the picture is empty or has not width
+/// x height pixels.
+[[nodiscard]] std::vector<std::uint8_t> encode_png(const Image& image,
+                                                   const std::filesystem::path& path);
+
 /// \throws WriteError also when the picture is empty or has not width x height pixels.
 void write_png(const Image& image, const std::filesystem::path& path);
+
+/// As a JPEG of quality 92 if the name ends in .jpg or .jpeg, as a PNG otherwise.
+/// \throws WriteError as write_png does.
+void write_picture(const Image& image, const std::filesystem::path& path);
 
 /// The mean of every factor x factor block, taken in linear light: on gamma-coded values edges
 /// against a light background would come out too dark. Sizes are multiples of the factor.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace arete::vtk {
 namespace {
@@ -24,10 +25,12 @@ struct Range {
   [[nodiscard]] double length() const { return high - low; }
 };
 
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 Range range_of(std::span<const Vector3> points, const Vector3& form) {
   Range range;
   for (const Vector3& p : points) {
-    const double value = p[0] * form[0] + p[1] * form[1] + p[2] * form[2];
+    const double value = dot(p, form);
     range.low = std::min(range.low, value);
     range.high = std::max(range.high, value);
   }
@@ -37,6 +40,23 @@ Range range_of(std::span<const Vector3> points, const Vector3& form) {
 Vector3 add(const Vector3& a, double factor, const Vector3& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
+
+/// What is right, up and towards the eye in the picture.
+struct Frame {
+  Vector3 right;
+  Vector3 up;
+  Vector3 towards;
+
+  explicit Frame(const Viewpoint& from) {
+    const double ca = std::cos(from.azimuth * radian);
+    const double sa = std::sin(from.azimuth * radian);
+    const double cp = std::cos(from.pitch * radian);
+    const double sp = std::sin(from.pitch * radian);
+    towards = {sa * cp, ca * cp, sp};
+    right = {-ca, sa, 0};
+    up = {-sa * sp, -ca * sp, cp};
+  }
+};
 
 /// Where, along one axis across the line of sight, the camera has to stand, and how far back, for
 /// all points to lie between both sides of the frustum: |along - at| <= t (back - towards).
@@ -59,26 +79,50 @@ void set_clipping(std::span<const Vector3> points, const Vector3& towards, doubl
   camera.SetClippingRange(std::max(back - depth.high - slack, far * 1e-3), far + slack);
 }
 
-}  // namespace
-
-void look_from_south(std::span<const Vector3> points, double pitch, double aspect, double fill,
-                     vtkCamera& camera) {
-  const Vector3 east{1, 0, 0};
-  const Vector3 towards{0, -std::cos(pitch * radian), std::sin(pitch * radian)};  // the eye
-  const Vector3 up{0, std::sin(pitch * radian), std::cos(pitch * radian)};
-  const double t = fill * std::tan(view_angle / 2 * radian);
-  const Fit across = fit(points, east, towards, t * aspect);
-  const Fit upward = fit(points, up, towards, t);
-  const double back = std::max(across.back, upward.back);
-
-  const Vector3 foot = add(add({0, 0, 0}, across.at, east), upward.at, up);
-  const Vector3 eye = add(foot, back, towards);
-  const Vector3 focus = add(foot, range_of(points, towards).middle(), towards);
+void set_perspective(std::span<const Vector3> points, const Vector3& eye, const Vector3& focus,
+                     const Frame& frame, vtkCamera& camera) {
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());
-  camera.SetViewUp(0, 0, 1);
+  camera.SetViewUp(frame.up.data());
   camera.SetViewAngle(view_angle);
-  set_clipping(points, towards, back, camera);
+  set_clipping(points, frame.towards, dot(eye, frame.towards), camera);
+}
+
+}  // namespace
+
+void look_from(std::span<const Vector3> points, const Viewpoint& from, double aspect, double fill,
+               vtkCamera& camera) {
+  const Frame frame(from);
+  const double t = fill * std::tan(view_angle / 2 * radian);
+  const Fit across = fit(points, frame.right, frame.towards, t * aspect);
+  const Fit upward = fit(points, frame.up, frame.towards, t);
+  const Vector3 foot = add(add({0, 0, 0}, across.at, frame.right), upward.at, frame.up);
+  const Vector3 focus = add(foot, range_of(points, frame.towards).middle(), frame.towards);
+  set_perspective(points, add(foot, std::max(across.back, upward.back), frame.towards), focus,
+                  frame, camera);
+}
+
+double orbit_radius(std::span<const Vector3> points, const Vector3& middle, double pitch,
+                    std::span<const double> azimuths, double aspect, double fill) {
+  const double t = fill * std::tan(view_angle / 2 * radian);
+  double radius = 0;
+  for (const double azimuth : azimuths) {
+    const Frame frame({azimuth, pitch});
+    for (const auto& [axis, tangent] : {std::pair{frame.right, t * aspect}, {frame.up, t}}) {
+      for (const double side : {-1.0, 1.0}) {
+        // side * (p - m).axis <= tangent * (radius - (p - m).towards)
+        const Vector3 form = add(add({0, 0, 0}, side / tangent, axis), 1, frame.towards);
+        radius = std::max(radius, range_of(points, form).high - dot(middle, form));
+      }
+    }
+  }
+  return radius;
+}
+
+void look_at(std::span<const Vector3> points, const Vector3& middle, const Viewpoint& from,
+             double radius, vtkCamera& camera) {
+  const Frame frame(from);
+  set_perspective(points, add(middle, radius, frame.towards), middle, frame, camera);
 }
 
 void look_down(std::span<const Vector3> points, double aspect, double fill, vtkCamera& camera) {

@@ -52,7 +52,10 @@ Grid<T> means(const Blocks& rows, const Blocks& cols, const Value& value) {
 ReducedSurface reduce(const Surface& surface, Index most) {
   const Extent extent = surface.extent();
   const Index longest = std::max(extent.rows, extent.cols);
-  ReducedSurface reduced{.factor = (longest + most - 1) / most, .surface = surface};
+  ReducedSurface reduced{.factor = (longest + most - 1) / most,
+                         .rows = {extent.rows, 0, 1},
+                         .cols = {extent.cols, 0, 1},
+                         .surface = surface};
   if (reduced.factor == 1) return reduced;
 
   const Blocks rows(extent.rows, reduced.factor);
@@ -60,7 +63,9 @@ ReducedSurface reduce(const Surface& surface, Index most) {
   reduced.heights =
       means<double>(rows, cols, [&](Index r, Index c) { return surface.height(r, c); });
   reduced.surface.heights = std::as_const(reduced.heights).view();
-  reduced.surface.georeference = refined(surface.georeference, rows.placement(), cols.placement());
+  reduced.rows = rows.placement();
+  reduced.cols = cols.placement();
+  reduced.surface.georeference = refined(surface.georeference, reduced.rows, reduced.cols);
   if (surface.gradients) {
     reduced.dz_dx = means<float>(rows, cols, surface.gradients->dz_dx);
     reduced.dz_dy = means<float>(rows, cols, surface.gradients->dz_dy);

@@ -8,6 +8,9 @@ namespace arete::vtk {
 /// A surface coarse enough to draw, holding its own samples unless factor is 1.
 struct ReducedSurface {
   Index factor = 1;
+  /// Where its rows and columns lie among those of the original.
+  AxisPlacement rows{};
+  AxisPlacement cols{};
   Grid<double> heights{};
   Grid<float> dz_dx{};
   Grid<float> dz_dy{};
