@@ -9,22 +9,26 @@
 #include "arete/reverse/mesh_recover.h"
 #include "meshes.h"
 #include "rational_grid.h"
+#include "same_mesh.h"
 
 namespace arete {
 namespace {
 
 using test::relative_difference;
 
-constexpr MeshScheme schemes[] = {MeshScheme::catmull_clark, MeshScheme::loop,
-                                  MeshScheme::doo_sabin};
+constexpr MeshRule rules[] = {MeshScheme::catmull_clark,
+                              {MeshScheme::catmull_clark, MeshRim::sharp_corners},
+                              {MeshScheme::catmull_clark, MeshRim::thirds},
+                              MeshScheme::loop,
+                              {MeshScheme::loop, MeshRim::sharp_corners},
+                              MeshScheme::loop_warren,
+                              MeshScheme::doo_sabin};
 constexpr ReverseMode modes[] = {ReverseMode::local, ReverseMode::least_squares};
 
-struct Mesh {
-  MeshFaces faces;
-  Grid<double> positions;
-};
+using test::expect_same_mesh;
+using Mesh = test::PlacedMesh;
 
-Mesh refined(Mesh mesh, MeshScheme scheme, int levels) {
+Mesh refined(Mesh mesh, MeshRule scheme, int levels) {
   for (int level = 0; level < levels; ++level) {
     auto step = mesh_step<double>(mesh.faces, scheme);
     mesh = {std::move(step.fine), test::subdivided_positions(step, mesh.positions)};
@@ -51,45 +55,8 @@ Mesh shuffled(const Mesh& mesh, unsigned seed) {
   return result;
 }
 
-// Whether both are the same mesh up to all orders; vertices are matched by their positions.
-void expect_same_mesh(const Mesh& actual, const Mesh& expected, double close,
-                      const std::string& what) {
-  ASSERT_EQ(actual.faces.vertices, expected.faces.vertices) << what;
-  std::vector<Index> match;
-  std::set<Index> used;
-  for (Index v = 0; v < actual.faces.vertices; ++v) {
-    double best = 1e300;
-    Index nearest = 0;
-    for (Index w = 0; w < expected.faces.vertices; ++w) {
-      double distance = 0;
-      for (Index c = 0; c < 3; ++c)
-        distance = std::max(distance, std::abs(actual.positions(v, c) - expected.positions(w, c)));
-      if (distance < best) {
-        best = distance;
-        nearest = w;
-      }
-    }
-    ASSERT_LE(best, close) << what << ", vertex " << v;
-    match.push_back(nearest);
-    used.insert(nearest);
-  }
-  ASSERT_EQ(used.size(), match.size()) << what;
-  std::multiset<std::vector<Index>> a;
-  std::multiset<std::vector<Index>> b;
-  const auto turned = [](std::vector<Index> face) {
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    return face;
-  };
-  for (auto face : actual.faces.faces) {
-    for (Index& v : face) v = match[static_cast<std::size_t>(v)];
-    a.insert(turned(face));
-  }
-  for (const auto& face : expected.faces.faces) b.insert(turned(face));
-  EXPECT_EQ(a, b) << what;
-}
-
 TEST(reverse_mesh, shuffled_fine_meshes_come_back_as_their_control_meshes) {
-  for (const MeshScheme scheme : schemes)
+  for (const MeshRule& scheme : rules)
     for (const auto& [name, faces] : test::control_meshes(scheme)) {
       const Mesh control{faces, test::random_positions(faces.vertices, 7)};
       for (const ReverseMode mode : modes)
@@ -101,7 +68,8 @@ TEST(reverse_mesh, shuffled_fine_meshes_come_back_as_their_control_meshes) {
             auto parts = decompose_mesh<double>(mesh.faces, mesh.positions.view(), scheme, mode);
             EXPECT_TRUE(parts.unique) << what;
             for (const double detail : parts.details.samples()) ASSERT_LE(std::abs(detail), 1e-9);
-            EXPECT_LE(relative_difference(reconstruct_mesh(parts), mesh.positions), 1e-14) << what;
+            EXPECT_EQ(reconstruct_mesh(parts).samples(), mesh.positions.samples()) << what;
+            EXPECT_EQ(refined_faces(parts.mesh, scheme.scheme), mesh.faces) << what;
             mesh = {std::move(parts.mesh.coarse), std::move(parts.coarse)};
           }
           expect_same_mesh(mesh, control, 1e-10, what);
@@ -110,14 +78,69 @@ TEST(reverse_mesh, shuffled_fine_meshes_come_back_as_their_control_meshes) {
 }
 
 TEST(reverse_mesh, any_data_on_a_subdivided_mesh_come_back_with_their_details) {
-  for (const MeshScheme scheme : schemes)
+  for (const MeshRule& scheme : rules)
     for (const auto& [name, faces] : test::control_meshes(scheme))
       for (const ReverseMode mode : modes) {
         const MeshFaces fine = mesh_step<double>(faces, scheme).fine;
         const Grid<double> any = test::random_positions(fine.vertices, 5);
         const auto parts = decompose_mesh<double>(fine, any.view(), scheme, mode);
-        EXPECT_LE(relative_difference(reconstruct_mesh(parts), any), 1e-14) << name;
+        EXPECT_EQ(reconstruct_mesh(parts).samples(), any.samples()) << name;
       }
+}
+
+// Coordinates of very different size: adding details alone would round the small ones away.
+TEST(reverse_mesh, every_bit_comes_back_whatever_the_sizes_of_the_numbers) {
+  const MeshFaces fine = mesh_step<double>(test::torus(5, 4, false), rules[0]).fine;
+  Grid<double> any = test::random_positions(fine.vertices, 5);
+  for (Index v = 0; v < fine.vertices; ++v)
+    for (Index c = 0; c < 3; ++c)
+      any(v, c) *= std::pow(10.0, static_cast<double>((7 * v) % 13) - 6);
+  for (const ReverseMode mode : modes) {
+    const auto parts = decompose_mesh<double>(fine, any.view(), rules[0], mode);
+    EXPECT_EQ(reconstruct_mesh(parts).samples(), any.samples());
+    EXPECT_GT(std::count_if(parts.remainder.samples().begin(), parts.remainder.samples().end(),
+                            [](double r) { return r != 0; }),
+              0)
+        << "the test is too easy";
+  }
+}
+
+TEST(reverse_mesh, the_rule_at_the_rim_is_found_by_its_details) {
+  for (const MeshRule& rule : rules) {
+    if (rule.scheme == MeshScheme::doo_sabin) continue;
+    const Mesh control{test::open_grid(4, 5, rule.triangles()), test::random_positions(20, 7)};
+    const Mesh fine = shuffled(refined(control, rule, 2), 3);
+    for (const ReverseMode mode : modes) {
+      const auto parts = decompose_mesh<double>(fine.faces, fine.positions.view(),
+                                                candidate_rules(rule.scheme), mode);
+      EXPECT_EQ(parts.rule, rule) << to_string(rule.rim);
+      for (const double detail : parts.details.samples()) ASSERT_LE(std::abs(detail), 1e-9);
+    }
+  }
+}
+
+TEST(reverse_mesh, several_parts_are_taken_apart_by_one_rule) {
+  for (const MeshRule& rule : rules) {
+    const MeshFaces closed = rule.triangles() ? test::bipyramid(5) : test::torus(3, 4, false);
+    const MeshFaces open = rule.scheme == MeshScheme::doo_sabin
+                               ? test::prism(5)
+                               : test::open_grid(3, 4, rule.triangles());
+    Mesh control{closed, {}};
+    for (auto face : open.faces) {
+      for (Index& v : face) v += closed.vertices;
+      control.faces.faces.push_back(face);
+    }
+    control.faces.vertices += open.vertices;
+    control.positions = test::random_positions(control.faces.vertices, 4);
+    const Mesh fine = shuffled(refined(control, rule, 1), 6);
+    const auto parts = decompose_mesh<double>(fine.faces, fine.positions.view(),
+                                              candidate_rules(rule.scheme), modes[1]);
+    EXPECT_EQ(reconstruct_mesh(parts).samples(), fine.positions.samples());
+    EXPECT_EQ(refined_faces(parts.mesh, rule.scheme), fine.faces);
+    EXPECT_EQ(parts.rule, rule);
+    expect_same_mesh({parts.mesh.coarse, parts.coarse}, control, 1e-10,
+                     std::string(to_string(rule.scheme)));
+  }
 }
 
 double squared(const Grid<double>& grid) {
@@ -127,7 +150,7 @@ double squared(const Grid<double>& grid) {
 }
 
 TEST(reverse_mesh, least_squares_has_the_smallest_details) {
-  for (const MeshScheme scheme : schemes)
+  for (const MeshRule& scheme : rules)
     for (const auto& [name, faces] : test::control_meshes(scheme)) {
       const auto step = mesh_step<double>(faces, scheme);
       const Grid<double> any = test::random_positions(step.fine.vertices, 5);
@@ -196,7 +219,7 @@ TEST(reverse_mesh, meshes_without_subdivision_structure_are_refused_with_the_rea
   const auto cc = MeshScheme::catmull_clark;
   const auto loop = MeshScheme::loop;
   const auto ds = MeshScheme::doo_sabin;
-  for (const MeshScheme scheme : schemes) {
+  for (const MeshScheme scheme : {cc, loop, ds}) {
     expect_refused(test::prism(5), scheme, "does not have the structure");
     expect_refused(test::tetrahedron(), scheme, "does not have the structure");
   }
@@ -221,13 +244,12 @@ TEST(reverse_mesh, meshes_without_subdivision_structure_are_refused_with_the_rea
   expect_refused({3, {{0, 1, 1}}}, loop, "twice");
   expect_refused({3, {{0, 1}}}, loop, "needs three");
   expect_refused({5, {{0, 1, 2}, {0, 3, 4}}}, loop, "do not hang together");
-  MeshFaces two = test::tetrahedron();
-  for (auto face : test::tetrahedron().faces) {
-    for (Index& v : face) v += 4;
-    two.faces.push_back(face);
-  }
-  two.vertices = 8;
-  expect_refused(two, loop, "connected parts");
+  // The first obstacle is named.
+  expect_refused(test::tetrahedron(), cc, "face 0 has 3 corners, not 4");
+  expect_refused(test::torus(3, 5, false), cc, "odd number of edges");
+  expect_refused(test::prism(4), loop, "face 0 has 4 corners, not 3");
+  expect_refused(test::bipyramid(7), ds, "vertex 7 has valence 7");
+  expect_refused(test::open_grid(3, 4, false), cc, "vertex ");
   const Grid<double> few = test::random_positions(3, 1);
   EXPECT_THROW((void)decompose_mesh<double>(test::tetrahedron(), few.view(), cc, modes[0]),
                InvalidField);
@@ -235,6 +257,7 @@ TEST(reverse_mesh, meshes_without_subdivision_structure_are_refused_with_the_rea
                InvalidField);
   EXPECT_THROW((void)mesh_step<double>(test::prism(4), loop), InvalidField);
   EXPECT_THROW((void)mesh_step<Rational>(test::prism(5), ds), InvalidField);  // cos(2 pi/5)
+  EXPECT_THROW((void)recover_coarse({6, {{0, 1, 2}, {3, 4, 5}}}, loop), InvalidField);
 }
 
 TEST(reverse_mesh, noise_gains_on_tori_are_those_of_the_specification) {

@@ -60,7 +60,7 @@ TEST(mesh_oracle, catmull_clark) {
 }
 TEST(mesh_oracle, loop) {
   for (const json& record : test::ternary_and_reverse_records("r.loop"))
-    check_forward(record, MeshScheme::loop);
+    check_forward(record, MeshScheme::loop_warren);
 }
 TEST(mesh_oracle, doo_sabin) {
   for (const json& record : test::ternary_and_reverse_records("r.doo_sabin"))
@@ -89,7 +89,7 @@ TEST(mesh_oracle, catmull_clark_reverse_of_any_data) {
 }
 TEST(mesh_oracle, loop_reverse_of_any_data) {
   for (const json& record : test::ternary_and_reverse_records("r.loop_reverse"))
-    check_reverse(record, MeshScheme::loop, "coarse_local");
+    check_reverse(record, MeshScheme::loop_warren, "coarse_local");
 }
 TEST(mesh_oracle, doo_sabin_reverse_of_any_data) {
   for (const json& record : test::ternary_and_reverse_records("r.doo_sabin_reverse"))
@@ -131,13 +131,11 @@ TEST(mesh_oracle, weights_by_valence) {
       check("cc_edge", cc.edge);
       check("cc_face", cc.face);
     }
-    const auto warren = loop_reverse<Rational>(n, loop_beta<Rational>(n));
+    const auto warren = loop_reverse<Rational>(n, loop_beta<Rational>(MeshScheme::loop_warren, n));
     check("loop_warren_vertex", warren.vertex);
     check("loop_warren_edge", warren.edge);
     if (expect.contains("loop_vertex")) {
-      // Loop's own beta: (5/8 - (3/8 + cos(2 pi/n)/4)^2)/n.
-      const Rational inner = Rational(3, 8) + cosine<Rational>(1, n) / 4;
-      const auto own = loop_reverse<Rational>(n, (Rational(5, 8) - inner * inner) / n);
+      const auto own = loop_reverse<Rational>(n, loop_beta<Rational>(MeshScheme::loop, n));
       check("loop_vertex", own.vertex);
       check("loop_edge", own.edge);
     }

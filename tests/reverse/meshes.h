@@ -85,21 +85,21 @@ inline MeshFaces open_fan(Index n, bool pentagon) {
 }
 
 /// Meshes with boundary and without, of valences 3 to 9, faces of 3 to 7 corners.
-inline std::map<std::string, MeshFaces> control_meshes(MeshScheme scheme) {
+inline std::map<std::string, MeshFaces> control_meshes(MeshRule rule) {
   std::map<std::string, MeshFaces> meshes{{"tetrahedron", tetrahedron()},
                                           {"octahedron", bipyramid(4)},
                                           {"bipyramid 7", bipyramid(7)},
                                           {"torus of triangles", torus(4, 5, true)}};
-  if (scheme != MeshScheme::doo_sabin) {
+  if (rule.scheme != MeshScheme::doo_sabin) {
     meshes["open grid of triangles"] = open_grid(4, 5, true);
     meshes["fan"] = open_fan(5, false);
   }
-  if (scheme == MeshScheme::loop) return meshes;
+  if (rule.triangles()) return meshes;
   meshes["prism 3"] = prism(3);
   meshes["prism 5"] = prism(5);
   meshes["prism 7"] = prism(7);
   meshes["torus"] = torus(3, 4, false);
-  if (scheme == MeshScheme::doo_sabin) {
+  if (rule.scheme == MeshScheme::doo_sabin) {
     meshes["cube"] = prism(4);
     return meshes;
   }

@@ -43,6 +43,12 @@ class AxisReverse {
   [[nodiscard]] Index coarse_count() const { return level_.coarse_count; }
   [[nodiscard]] Index detail_count() const { return level_.detail_count(); }
 
+  /// The filters, where the axis is reversed by local ones and nothing is padded; otherwise
+  /// nullptr.
+  [[nodiscard]] const LocalReverse<R>* local() const {
+    return level_.padding == 0 ? std::get_if<LocalReverse<R>>(&method_) : nullptr;
+  }
+
   /// `coarse` and `details` take the results; they must not overlap `fine`.
   void analyse(Lines<const R> fine, Lines<R> coarse, Lines<R> details) const {
     if (level_.padding == 0) {

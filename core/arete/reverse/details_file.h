@@ -2,18 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "arete/reverse/error.h"
+#include "arete/reverse/details_envelope.h"
 #include "arete/reverse/missing_samples.h"
 
 namespace arete {
-
-using Bytes = std::vector<std::uint8_t>;
 
 /// What restores one band of a raster from its coarse samples.
 struct BandDetails {
@@ -40,11 +37,6 @@ struct DetailsFile {
   }
 };
 
-/// Packs bytes, or unpacks them to `size` bytes (throwing or returning another size when they are
-/// damaged). Core has no compression of its own; the caller may bring one.
-using Pack = std::function<Bytes(std::span<const std::uint8_t>)>;
-using Unpack = std::function<Bytes(std::span<const std::uint8_t>, std::size_t size)>;
-
 /// The bytes of a details file, version 1. All numbers are little-endian.
 ///
 ///     8  magic 89 'A' 'R' 'D' 0D 0A 1A 0A (a text-mode copy damages it visibly)
@@ -63,10 +55,5 @@ using Unpack = std::function<Bytes(std::span<const std::uint8_t>, std::size_t si
 /// damaged (checksum), inconsistent, or packed when `unpack` is empty.
 [[nodiscard]] DetailsFile decode_details(std::span<const std::uint8_t> bytes,
                                          const Unpack& unpack = {});
-
-/// CRC-32 (IEEE 802.3, as zlib's and PNG's).
-[[nodiscard]] std::uint32_t checksum(std::span<const std::uint8_t> bytes);
-/// Of the bytes of the samples, little-endian doubles.
-[[nodiscard]] std::uint32_t checksum(const std::vector<double>& samples);
 
 }  // namespace arete

@@ -1,41 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "arete/reverse/grid_reverse.h"
 
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "arete/reverse/grid_reverse_local.h"
+#include "arete/reverse/runs.h"
 
 namespace arete {
 namespace {
 
-// Lanes worked on at a time: enough to fill vector registers, few enough to stay in cache. Columns
-// are taken in wider runs, so that every visit of a row reads whole pages of it.
+// Lanes worked on at a time: enough to fill vector registers, few enough to stay in cache. They are
+// copied together first, for a solve goes over them several times.
 constexpr Index rows_at_a_time = 32;
-constexpr Index columns_at_a_time = 256;
-
-// Calls work(first, count) for runs of `width` lanes that cover 0..lanes-1.
-template <class Work>
-void for_runs(Index lanes, Index width, int threads, Work&& work) {
-  const Index runs = ceil_divide(lanes, width);
-  const auto run = [&](Index i) {
-    const Index first = i * width;
-    work(first, std::min(width, lanes - first));
-  };
-  if (threads == 1) {
-    for (Index i = 0; i < runs; ++i) run(i);
-    return;
-  }
-  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
-  arena.execute([&] { tbb::parallel_for(Index{0}, runs, run); });
-}
+constexpr Index columns_at_a_time = 64;
 
 template <class T>
-Lines<T> columns_of(Grid<T>& grid, Index first, Index count) {
-  return {grid.samples().data() + first, grid.rows(), count, grid.cols()};
+void columns_in(GridView<const T> grid, Index first, Lines<T> lines) {
+  for (Index r = 0; r < grid.rows(); ++r) std::copy_n(grid.row(r) + first, lines.lanes, lines[r]);
 }
 template <class T>
-Lines<const T> columns_of(GridView<const T> grid, Index first, Index count) {
-  return {grid.row(0) + first, grid.rows(), count, grid.stride()};
+void columns_out(Lines<const T> lines, Grid<T>& grid, Index first) {
+  for (Index r = 0; r < grid.rows(); ++r) std::copy_n(lines[r], lines.lanes, grid.row(r) + first);
 }
 
 // Rows first.. of the grid, turned so that samples of a row follow each other line by line. A few
@@ -67,8 +50,13 @@ template <class T>
 void analyse_columns(const AxisReverse<T>& axis, GridView<const T> fine, Grid<T>& coarse,
                      Grid<T>& details, int threads) {
   for_runs(fine.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
-    axis.analyse(columns_of(fine, first, count), columns_of(coarse, first, count),
-                 columns_of(details, first, count));
+    LineBuffer<T> in(fine.rows(), count);
+    LineBuffer<T> low(coarse.rows(), count);
+    LineBuffer<T> high(details.rows(), count);
+    columns_in(fine, first, in.lines());
+    axis.analyse(in.lines(), low.lines(), high.lines());
+    columns_out<T>(low.lines(), coarse, first);
+    columns_out<T>(high.lines(), details, first);
   });
 }
 
@@ -76,8 +64,13 @@ template <class T>
 void synthesise_columns(const AxisReverse<T>& axis, const Grid<T>& coarse, const Grid<T>& details,
                         Grid<T>& fine, int threads) {
   for_runs(fine.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
-    axis.synthesise(columns_of(coarse.view(), first, count),
-                    columns_of(details.view(), first, count), columns_of(fine, first, count));
+    LineBuffer<T> low(coarse.rows(), count);
+    LineBuffer<T> high(details.rows(), count);
+    LineBuffer<T> out(fine.rows(), count);
+    columns_in(coarse.view(), first, low.lines());
+    columns_in(details.view(), first, high.lines());
+    axis.synthesise(low.lines(), high.lines(), out.lines());
+    columns_out<T>(out.lines(), fine, first);
   });
 }
 
@@ -148,61 +141,102 @@ AxisPlacement GridPyramid::col_placement(int step) const {
   return place;
 }
 
+namespace {
+
+template <class T>
+std::vector<GridStepAxes<T>> axes_of(const GridPyramid& pyramid, const Mask& mask,
+                                     const GridReverseOptions& options, int first) {
+  std::vector<GridStepAxes<T>> steps;
+  for (int step = first; step < pyramid.levels(); ++step) {
+    const Extent extent = pyramid.extent(step);
+    steps.push_back({AxisReverse<T>(mask, extent.rows, options.boundaries.y, options.mode),
+                     AxisReverse<T>(mask, extent.cols, options.boundaries.x, options.mode)});
+  }
+  return steps;
+}
+
+template <class T>
+GridDetails<T> details_for(const GridStepAxes<T>& axes) {
+  return {Grid<T>({axes.y.coarse_count(), axes.x.detail_count()}),
+          Grid<T>({axes.y.detail_count(), axes.x.coarse_count()}),
+          Grid<T>({axes.y.detail_count(), axes.x.detail_count()})};
+}
+
+template <class T>
+Grid<T> copy_of(GridView<const T> samples) {
+  Grid<T> copy(samples.extent());
+  for (Index r = 0; r < samples.rows(); ++r)
+    std::copy_n(samples.row(r), samples.cols(), copy.row(r));
+  return copy;
+}
+
+}  // namespace
+
 template <class T>
 GridDecomposition<T> decompose_grid(GridView<const T> samples, const Scheme& scheme,
                                     const GridReverseOptions& options) {
   const GridPyramid pyramid(scheme.mask(), samples.extent(), options);
+  const auto steps = axes_of<T>(pyramid, scheme.mask(), options, 0);
   GridDecomposition<T> result;
-  if (options.levels == 0) {
-    result.coarse = Grid<T>(samples.extent());
-    for (Index r = 0; r < samples.rows(); ++r)
-      std::copy_n(samples.row(r), samples.cols(), result.coarse.row(r));
+  if (steps.empty()) {
+    result.coarse = copy_of(samples);
+    return result;
   }
-  for (int step = 0; step < options.levels; ++step) {
-    const Grid<T> before = std::move(result.coarse);
-    const GridView<const T> fine = step == 0 ? samples : before.view();
-    const AxisReverse<T> y(scheme.mask(), fine.rows(), options.boundaries.y, options.mode);
-    const AxisReverse<T> x(scheme.mask(), fine.cols(), options.boundaries.x, options.mode);
+  for (const auto& axes : steps) result.details.push_back(details_for(axes));
+  result.coarse = Grid<T>(pyramid.extent(options.levels));
+  if (decompose_by_rows(steps, samples, result.coarse, result.details, options.threads))
+    return result;
+  Grid<T> before;
+  for (std::size_t step = 0; step < steps.size(); ++step) {
+    const auto& [y, x] = steps[step];
+    const GridView<const T> fine = step == 0 ? samples : std::as_const(before).view();
     Grid<T> low({y.coarse_count(), fine.cols()});
     Grid<T> high({y.detail_count(), fine.cols()});
     analyse_columns(y, fine, low, high, options.threads);
-    result.coarse = Grid<T>({y.coarse_count(), x.coarse_count()});
-    GridDetails<T> details{Grid<T>({y.coarse_count(), x.detail_count()}),
-                           Grid<T>({y.detail_count(), x.coarse_count()}),
-                           Grid<T>({y.detail_count(), x.detail_count()})};
-    analyse_rows(x, low, result.coarse, details.cd, options.threads);
+    Grid<T> coarse({y.coarse_count(), x.coarse_count()});
+    GridDetails<T>& details = result.details[step];
+    analyse_rows(x, low, coarse, details.cd, options.threads);
     analyse_rows(x, high, details.dc, details.dd, options.threads);
-    result.details.push_back(std::move(details));
+    before = std::move(coarse);
   }
+  result.coarse = std::move(before);
   return result;
 }
 
 template <class T>
 Grid<T> reconstruct_grid(const GridDecomposition<T>& parts, Extent fine_extent,
-                         const Scheme& scheme, const GridReverseOptions& options, int steps) {
+                         const Scheme& scheme, const GridReverseOptions& options, int count) {
   const int levels = static_cast<int>(parts.details.size());
-  if (steps < 0 || steps > levels)
+  if (count < 0 || count > levels)
     throw InvalidField("there are " + std::to_string(levels) + " levels of details, not " +
-                       std::to_string(steps));
+                       std::to_string(count));
   GridReverseOptions all = options;
   all.levels = levels;
   const GridPyramid pyramid(scheme.mask(), fine_extent, all);
   check_extent(parts.coarse.extent(), pyramid.extent(levels), "the coarse grid", levels - 1);
+  const int first = levels - count;
+  const auto steps = axes_of<T>(pyramid, scheme.mask(), options, first);
+  const auto details = std::span(parts.details).subspan(static_cast<std::size_t>(first));
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto& [y, x] = steps[k];
+    const int step = first + static_cast<int>(k);
+    check_extent(details[k].cd.extent(), {y.coarse_count(), x.detail_count()}, "block cd", step);
+    check_extent(details[k].dc.extent(), {y.detail_count(), x.coarse_count()}, "block dc", step);
+    check_extent(details[k].dd.extent(), {y.detail_count(), x.detail_count()}, "block dd", step);
+  }
+  if (count == 0) return parts.coarse;
+  Grid<T> result(pyramid.extent(first));
+  if (reconstruct_by_rows<T>(steps, parts.coarse, details, result, options.threads)) return result;
   Grid<T> coarse = parts.coarse;
-  for (int step = levels - 1; step >= levels - steps; --step) {
-    const GridDetails<T>& details = parts.details[static_cast<std::size_t>(step)];
-    const Extent extent = pyramid.extent(step);
-    const AxisReverse<T> y(scheme.mask(), extent.rows, options.boundaries.y, options.mode);
-    const AxisReverse<T> x(scheme.mask(), extent.cols, options.boundaries.x, options.mode);
-    check_extent(details.cd.extent(), {y.coarse_count(), x.detail_count()}, "block cd", step);
-    check_extent(details.dc.extent(), {y.detail_count(), x.coarse_count()}, "block dc", step);
-    check_extent(details.dd.extent(), {y.detail_count(), x.detail_count()}, "block dd", step);
-    Grid<T> low({y.coarse_count(), extent.cols});
-    Grid<T> high({y.detail_count(), extent.cols});
-    synthesise_rows(x, coarse, details.cd, low, options.threads);
-    synthesise_rows(x, details.dc, details.dd, high, options.threads);
-    coarse = Grid<T>(extent);
-    synthesise_columns(y, low, high, coarse, options.threads);
+  for (std::size_t k = steps.size(); k-- > 0;) {
+    const auto& [y, x] = steps[k];
+    Grid<T> low({y.coarse_count(), x.fine_count()});
+    Grid<T> high({y.detail_count(), x.fine_count()});
+    synthesise_rows(x, coarse, details[k].cd, low, options.threads);
+    synthesise_rows(x, details[k].dc, details[k].dd, high, options.threads);
+    Grid<T> finer = k == 0 ? std::move(result) : Grid<T>({y.fine_count(), x.fine_count()});
+    synthesise_columns(y, low, high, finer, options.threads);
+    coarse = std::move(finer);
   }
   return coarse;
 }

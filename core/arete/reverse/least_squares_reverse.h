@@ -29,6 +29,8 @@ class LeastSquaresReverse {
         s_(std::move(s)),
         s_anchors_(s_.selected(anchors_)),
         s_rest_(s_.selected(rest_)),
+        s_transposed_(s_.transposed()),
+        s_rest_transposed_(s_rest_.transposed()),
         gram_(s_),
         anchor_gram_(s_anchors_) {}
 
@@ -39,7 +41,7 @@ class LeastSquaresReverse {
   [[nodiscard]] Index detail_count() const { return static_cast<Index>(rest_.size()); }
 
   void analyse(Lines<const R> fine, Lines<R> coarse, Lines<R> details) const {
-    s_.multiply_transposed(fine, coarse);
+    s_transposed_.multiply(fine, coarse);
     gram_.solve(coarse);
     s_rest_.multiply(coarse, details);
     for (Index i = 0; i < details.count; ++i) {
@@ -52,7 +54,7 @@ class LeastSquaresReverse {
   void synthesise(Lines<const R> coarse, Lines<const R> details, Lines<R> fine) const {
     LineBuffer<R> solution(s_.cols(), fine.lanes);
     LineBuffer<R> anchor_part(s_.cols(), fine.lanes);
-    s_rest_.multiply_transposed(details, solution.lines());
+    s_rest_transposed_.multiply(details, solution.lines());
     anchor_gram_.solve(solution.lines());
     s_anchors_.multiply(solution.lines(), anchor_part.lines());
     s_.multiply(coarse, fine);
@@ -76,6 +78,8 @@ class LeastSquaresReverse {
   SparseRows<R> s_;
   SparseRows<R> s_anchors_;
   SparseRows<R> s_rest_;
+  SparseRows<R> s_transposed_;
+  SparseRows<R> s_rest_transposed_;
   EnvelopeLdlt<R> gram_;
   EnvelopeLdlt<R> anchor_gram_;
 };

@@ -6,32 +6,58 @@
 namespace arete::recovery {
 namespace {
 
-std::vector<Index> turned(std::vector<Index> face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
+// A face is known by the side that leaves its lowest vertex: no other face has that side.
+struct Key {
+  Index lowest;
+  Index next;
+  std::size_t face;
+  Index turn;  // the corner that is the lowest vertex
+  [[nodiscard]] auto side() const { return std::pair(lowest, next); }
+};
 
-std::multiset<std::vector<Index>> all_turned(const std::vector<std::vector<Index>>& faces) {
-  std::multiset<std::vector<Index>> result;
-  for (const auto& face : faces) result.insert(turned(face));
-  return result;
+std::vector<Key> keys_of(const std::vector<std::vector<Index>>& faces) {
+  std::vector<Key> keys;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto& face = faces[f];
+    const auto lowest = std::min_element(face.begin(), face.end());
+    const auto turn = static_cast<std::size_t>(lowest - face.begin());
+    keys.push_back({*lowest, face[(turn + 1) % face.size()], f, static_cast<Index>(turn)});
+  }
+  std::sort(keys.begin(), keys.end(),
+            [](const Key& a, const Key& b) { return a.side() < b.side(); });
+  return keys;
 }
 
 }  // namespace
 
-bool fits(const MeshFaces& fine, const MeshFaces& coarse, const std::vector<Index>& place,
-          MeshScheme scheme) {
-  MeshFaces again = mesh_step<double>(coarse, scheme).fine;
-  if (again.vertices != fine.vertices || static_cast<Index>(place.size()) != fine.vertices ||
+bool fits(const MeshFaces& fine, RecoveredMesh& mesh, MeshScheme scheme) {
+  const auto& place = mesh.place;
+  MeshFaces again = mesh_step<double>(mesh.coarse, scheme).fine;
+  if (again.vertices != fine.vertices || again.faces.size() != fine.faces.size() ||
+      static_cast<Index>(place.size()) != fine.vertices ||
       std::set<Index>(place.begin(), place.end()).size() != place.size())
     return false;
   for (auto& face : again.faces)
     for (Index& v : face) v = place[static_cast<std::size_t>(v)];
-  return all_turned(again.faces) == all_turned(fine.faces);
+  const std::vector<Key> wanted = keys_of(fine.faces);
+  const std::vector<Key> found = keys_of(again.faces);
+  mesh.faces.resize(fine.faces.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const auto& face = fine.faces[wanted[i].face];
+    const auto& same = again.faces[found[i].face];
+    const auto corners = static_cast<Index>(face.size());
+    if (same.size() != face.size()) return false;
+    const Index turn = (found[i].turn - wanted[i].turn + corners) % corners;
+    for (Index k = 0; k < corners; ++k)
+      if (face[static_cast<std::size_t>(k)] != same[static_cast<std::size_t>((k + turn) % corners)])
+        return false;
+    mesh.faces[wanted[i].face] = {static_cast<Index>(found[i].face), turn};
+  }
+  return true;
 }
 
-std::optional<RecoveredMesh> finished(const MeshFaces& fine, const Draft& draft,
-                                      MeshScheme scheme) {
+std::optional<RecoveredMesh> finished(const MeshFaces& fine, const Draft& draft, MeshScheme scheme,
+                                      Obstacle& obstacle) {
   try {
     std::map<Index, Index> number;
     for (const Index v : draft.vertices) number.emplace(v, static_cast<Index>(number.size()));
@@ -56,11 +82,12 @@ std::optional<RecoveredMesh> finished(const MeshFaces& fine, const Draft& draft,
       if (point == draft.edge_points.end()) return std::nullopt;
       result.place.push_back(point->second);
     }
-    if (!fits(fine, result.coarse, result.place, scheme)) return std::nullopt;
-    return result;
-  } catch (const InvalidField&) {
-    return std::nullopt;  // not a manifold, or not of triangles
+    if (fits(fine, result, scheme)) return result;
+    obstacle.met(fine.faces.size(), "the coarse mesh read off refines to another mesh");
+  } catch (const InvalidField& error) {  // not a manifold, or not of triangles
+    obstacle.met(fine.faces.size(), std::string("in the coarse mesh read off ") + error.what());
   }
+  return std::nullopt;
 }
 
 }  // namespace arete::recovery

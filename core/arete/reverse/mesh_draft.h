@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "arete/reverse/mesh_recover.h"
@@ -22,18 +24,34 @@ struct Draft {
   std::map<MeshNeighbours::Edge, Index> edge_points;  ///< by the ends' fine vertices
 };
 
-/// Whether subdividing `coarse` gives the fine mesh, with fine vertex i at place[i].
-[[nodiscard]] bool fits(const MeshFaces& fine, const MeshFaces& coarse,
-                        const std::vector<Index>& place, MeshScheme scheme);
+/// Why there is no coarse mesh: the obstacle of the candidate that came furthest.
+class Obstacle {
+ public:
+  void met(std::size_t progress, std::string text) {
+    if (!text_.empty() && progress <= progress_) return;
+    progress_ = progress;
+    text_ = std::move(text);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::size_t progress_ = 0;
+  std::string text_;
+};
+
+/// Sets faces and returns whether subdividing mesh.coarse gives the fine mesh, with fine vertex i
+/// at place[i].
+[[nodiscard]] bool fits(const MeshFaces& fine, RecoveredMesh& mesh, MeshScheme scheme);
 
 /// The draft with coarse vertices numbered; nothing if it is no mesh or does not fit.
 [[nodiscard]] std::optional<RecoveredMesh> finished(const MeshFaces& fine, const Draft& draft,
-                                                    MeshScheme scheme);
+                                                    MeshScheme scheme, Obstacle& obstacle);
 
-[[nodiscard]] std::vector<RecoveredMesh> catmull_clark(const MeshFaces& fine,
-                                                       const MeshNeighbours& mesh);
-[[nodiscard]] std::vector<RecoveredMesh> loop(const MeshFaces& fine, const MeshNeighbours& mesh);
-[[nodiscard]] std::vector<RecoveredMesh> doo_sabin(const MeshFaces& fine,
-                                                   const MeshNeighbours& mesh);
+using Recovered = std::vector<RecoveredMesh>;
+[[nodiscard]] Recovered catmull_clark(const MeshFaces& fine, const MeshNeighbours& mesh,
+                                      Obstacle& obstacle);
+[[nodiscard]] Recovered loop(const MeshFaces& fine, const MeshNeighbours& mesh, Obstacle& obstacle);
+[[nodiscard]] Recovered doo_sabin(const MeshFaces& fine, const MeshNeighbours& mesh,
+                                  Obstacle& obstacle);
 
 }  // namespace arete::recovery

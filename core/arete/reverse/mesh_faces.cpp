@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "arete/reverse/mesh_faces.h"
 
+#include <map>
 #include <numeric>
-#include <set>
 #include <string>
 
 namespace arete {
@@ -15,7 +15,13 @@ std::string face_text(std::size_t face) { return "face " + std::to_string(face);
 MeshNeighbours::MeshNeighbours(const MeshFaces& mesh)
     : vertex_edges_(static_cast<std::size_t>(mesh.vertices)),
       vertex_faces_(static_cast<std::size_t>(mesh.vertices)) {
-  std::set<Edge> directed;
+  struct Side {
+    Edge edge;
+    bool backwards;
+    Index face;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto& face = mesh.faces[f];
     if (face.size() < 3)
@@ -29,47 +35,46 @@ MeshNeighbours::MeshNeighbours(const MeshFaces& mesh)
                            std::to_string(mesh.vertices));
       if (std::count(face.begin(), face.end(), a) != 1)
         throw InvalidField(face_text(f) + " has vertex " + std::to_string(a) + " twice");
-      if (!directed.insert({a, b}).second)
-        throw InvalidField("the edge from vertex " + std::to_string(a) + " to " +
-                           std::to_string(b) + " is in two faces the same way (" + face_text(f) +
-                           " is one); orient the mesh and split what is not manifold");
-      edge_of_.emplace(Edge{std::min(a, b), std::max(a, b)}, 0);
+      sides.push_back({{std::min(a, b), std::max(a, b)}, a > b, static_cast<Index>(f)});
       vertex_faces_[static_cast<std::size_t>(a)].push_back(static_cast<Index>(f));
     }
   }
-  for (auto& [edge, number] : edge_of_) {
-    number = edge_count();
-    edges_.push_back(edge);
-    for (const Index v : edge) vertex_edges_[static_cast<std::size_t>(v)].push_back(number);
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Side& side = sides[i];
+    if (i == 0 || side.edge != sides[i - 1].edge) {
+      for (const Index v : side.edge)
+        vertex_edges_[static_cast<std::size_t>(v)].push_back(edge_count());
+      edges_.push_back(side.edge);
+      edge_faces_.emplace_back();
+    } else if (side.backwards == sides[i - 1].backwards) {
+      const Edge way = side.backwards ? Edge{side.edge[1], side.edge[0]} : side.edge;
+      throw InvalidField("the edge from vertex " + std::to_string(way[0]) + " to " +
+                         std::to_string(way[1]) + " is in two faces the same way (" +
+                         face_text(static_cast<std::size_t>(side.face)) +
+                         " is one); orient the mesh and split what is not manifold");
+    }
+    edge_faces_.back().push_back(side.face);
   }
-  edge_faces_.resize(edges_.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const auto& face = mesh.faces[f];
-    for (std::size_t i = 0; i < face.size(); ++i)
-      edge_faces_[static_cast<std::size_t>(edge(face[i], face[(i + 1) % face.size()]))].push_back(
-          static_cast<Index>(f));
-  }
+  for (auto& faces : edge_faces_) std::sort(faces.begin(), faces.end());
   check_fans(mesh);
 }
 
 // Around a vertex its faces must hang together edge by edge: one fan, closed or open.
 void MeshNeighbours::check_fans(const MeshFaces& mesh) const {
+  std::vector<Index> reached;
   for (Index v = 0; v < mesh.vertices; ++v) {
     const auto& faces = vertex_faces(v);
     if (faces.empty())
       throw InvalidField("vertex " + std::to_string(v) + " is in no face; remove it");
-    std::set<Index> reached{faces.front()};
-    std::vector<Index> open{faces.front()};
-    while (!open.empty()) {
-      const Index f = open.back();
-      open.pop_back();
+    reached.assign({faces.front()});
+    for (std::size_t i = 0; i < reached.size(); ++i)
       for (const Index e : vertex_edges(v)) {
         const auto& beside = edge_faces(e);
-        if (std::find(beside.begin(), beside.end(), f) == beside.end()) continue;
+        if (std::find(beside.begin(), beside.end(), reached[i]) == beside.end()) continue;
         for (const Index g : beside)
-          if (reached.insert(g).second) open.push_back(g);
+          if (std::find(reached.begin(), reached.end(), g) == reached.end()) reached.push_back(g);
       }
-    }
     if (reached.size() != faces.size())
       throw InvalidField("the faces around vertex " + std::to_string(v) +
                          " do not hang together; split the vertex");

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -36,7 +35,9 @@ class MeshNeighbours {
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   /// \pre the two are neighbours
   [[nodiscard]] Index edge(Index a, Index b) const {
-    return edge_of_.at({std::min(a, b), std::max(a, b)});
+    const auto& around = vertex_edges(a);
+    return *std::find_if(around.begin(), around.end(),
+                         [&](Index e) { return other_end(e, a) == b; });
   }
   /// One face, or two inside.
   [[nodiscard]] const std::vector<Index>& edge_faces(Index edge) const {
@@ -61,7 +62,6 @@ class MeshNeighbours {
   void check_fans(const MeshFaces& mesh) const;
 
   std::vector<Edge> edges_;
-  std::map<Edge, Index> edge_of_;
   std::vector<std::vector<Index>> edge_faces_;
   std::vector<std::vector<Index>> vertex_edges_;
   std::vector<std::vector<Index>> vertex_faces_;

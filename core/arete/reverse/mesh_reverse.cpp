@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "arete/reverse/mesh_reverse.h"
 
+#include <Eigen/SparseCholesky>
 #include <numeric>
-#include <queue>
 
 #include "arete/reverse/envelope_ldlt.h"
 
 namespace arete {
 namespace {
+
+constexpr const char* undetermined =
+    "the fine points do not determine the coarse vertices; the mesh has no reverse";
 
 template <class R>
 void add_row(Grid<R>& to, Index row, GridView<const R> from, Index from_row, const R& weight) {
@@ -17,27 +20,27 @@ void add_row(Grid<R>& to, Index row, GridView<const R> from, Index from_row, con
 template <class R>
 class LocalMeshReverse {
  public:
-  LocalMeshReverse(const MeshFaces& coarse, MeshScheme scheme, GridView<const R> fine)
+  LocalMeshReverse(const MeshFaces& coarse, MeshRule rule, GridView<const R> fine)
       : faces_(coarse),
         mesh_(coarse),
-        scheme_(scheme),
+        rule_(rule),
         fine_(fine),
         result_({coarse.vertices, fine.cols()}),
         first_face_(coarse.vertices),
-        first_edge_(coarse.vertices + (scheme == MeshScheme::catmull_clark
+        first_edge_(coarse.vertices + (rule.scheme == MeshScheme::catmull_clark
                                            ? static_cast<Index>(coarse.faces.size())
                                            : 0)) {}
 
   // Nothing if some vertices cannot be reached by the formulas.
   std::optional<Grid<R>> run() {
-    if (scheme_ == MeshScheme::doo_sabin) return doo_sabin();
+    if (rule_.scheme == MeshScheme::doo_sabin) return doo_sabin();
     std::vector<std::uint8_t> known(static_cast<std::size_t>(faces_.vertices), 0);
     for (Index v = 0; v < faces_.vertices; ++v) {
       const auto n = static_cast<Index>(mesh_.vertex_edges(v).size());
       if (mesh_.on_boundary(v)) {
         boundary_vertex(v);
-      } else if (scheme_ == MeshScheme::loop) {
-        inner_vertex(v, loop_reverse<R>(n, loop_beta<R>(n)));
+      } else if (rule_.triangles()) {
+        inner_vertex(v, loop_reverse<R>(n, loop_beta<R>(rule_.scheme, n)));
       } else if (n != 3) {
         inner_vertex(v, catmull_clark_reverse<R>(n));
       } else {
@@ -58,10 +61,14 @@ class LocalMeshReverse {
       add_row(result_, v, fine_, first_face_ + f, weights.face);
   }
 
+  // v' = (1 - 2w) V + w (A + B) and e = (V + A)/2: v' = (1 - 4w) V + 2w (e_1 + e_2).
   void boundary_vertex(Index v) {
-    add_row(result_, v, fine_, v, R(2));
+    const R beside = rim_weight<R>(rule_.rim, mesh_.vertex_faces(v).size());
+    const R over = R(1) / (R(1) - R(4) * beside);
+    add_row(result_, v, fine_, v, over);
     for (const Index e : mesh_.vertex_edges(v))
-      if (mesh_.boundary_edge(e)) add_row(result_, v, fine_, first_edge_ + e, R(-1) / R(2));
+      if (mesh_.boundary_edge(e))
+        add_row(result_, v, fine_, first_edge_ + e, R(-2) * beside * over);
   }
 
   // Sweeps in ascending order; within one a vertex already found serves the next.
@@ -108,54 +115,45 @@ class LocalMeshReverse {
 
   const MeshFaces& faces_;
   MeshNeighbours mesh_;
-  MeshScheme scheme_;
+  MeshRule rule_;
   GridView<const R> fine_;
   Grid<R> result_;
   Index first_face_;
   Index first_edge_;
 };
 
-// Columns ordered so that those that share a row lie near each other (Cuthill and McKee 1969):
-// breadth first, from a far vertex, few neighbours first.
-template <class R>
-std::vector<Index> near_order(const SparseRows<R>& s) {
-  const auto n = static_cast<std::size_t>(s.cols());
-  std::vector<std::vector<Index>> beside(n);
-  for (Index i = 0; i < s.rows(); ++i) {
-    const auto row = s.row(i);
-    for (const auto& a : row)
-      for (const auto& b : row)
-        if (a.col != b.col) beside[static_cast<std::size_t>(a.col)].push_back(b.col);
+// x with S^T S x = S^T fine, a fill-reducing sparse factorisation: exact fields take the envelope.
+Grid<double> solved(const SparseRows<double>& s, GridView<const double> fine) {
+  using Sparse = Eigen::SparseMatrix<double>;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index i = 0; i < s.rows(); ++i)
+    for (const auto& [col, weight] : s.row(i))
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(col), weight);
+  Sparse matrix(s.rows(), s.cols());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Sparse gram = Sparse(matrix.transpose()) * matrix;
+  const Eigen::SimplicialLDLT<Sparse> solver(gram);
+  if (solver.info() != Eigen::Success ||
+      !(solver.vectorD().minCoeff() > 1e-14 * solver.vectorD().maxCoeff()))
+    throw InvalidField(undetermined);
+  Grid<double> result({s.cols(), fine.cols()});
+  for (Index c = 0; c < fine.cols(); ++c) {
+    Eigen::VectorXd column(fine.rows());
+    for (Index i = 0; i < fine.rows(); ++i) column(i) = fine(i, c);
+    const Eigen::VectorXd x = solver.solve(matrix.transpose() * column);
+    for (Index i = 0; i < result.rows(); ++i) result(i, c) = x(i);
   }
-  for (auto& list : beside) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  const auto few_first = [&](Index a, Index b) {
-    return beside[static_cast<std::size_t>(a)].size() < beside[static_cast<std::size_t>(b)].size();
-  };
-  for (auto& list : beside) std::stable_sort(list.begin(), list.end(), few_first);
-  std::vector<std::uint8_t> done(n, 0);
-  const auto breadth_first = [&](Index start, std::vector<std::uint8_t>& seen) {
-    std::vector<Index> order{start};
-    seen[static_cast<std::size_t>(start)] = 1;
-    for (std::size_t i = 0; i < order.size(); ++i)
-      for (const Index next : beside[static_cast<std::size_t>(order[i])])
-        if (seen[static_cast<std::size_t>(next)] == 0) {
-          seen[static_cast<std::size_t>(next)] = 1;
-          order.push_back(next);
-        }
-    return order;
-  };
-  std::vector<Index> order;
-  for (Index v = 0; v < s.cols(); ++v) {
-    if (done[static_cast<std::size_t>(v)] != 0) continue;
-    std::vector<std::uint8_t> trial = done;
-    const Index far = breadth_first(v, trial).back();
-    const auto part = breadth_first(far, done);
-    order.insert(order.end(), part.begin(), part.end());
-  }
-  return order;
+  return result;
+}
+
+Grid<Rational> solved(const SparseRows<Rational>& s, GridView<const Rational> fine) {
+  const EnvelopeLdlt<Rational> solver(s);
+  if (solver.dependent_column()) throw InvalidField(undetermined);
+  Grid<Rational> result({s.cols(), fine.cols()});
+  const Lines<Rational> lines{result.row(0), result.rows(), result.cols(), result.cols()};
+  s.transposed().multiply({fine.row(0), fine.rows(), fine.cols(), fine.stride()}, lines);
+  solver.solve(lines);
+  return result;
 }
 
 // Of a pattern that no fine point shows: one vertex is held at 0, then the part along the pattern
@@ -170,7 +168,7 @@ Grid<R> least_squares(const SparseRows<R>& s, GridView<const R> fine,
         pattern.begin())] = 1;
   std::vector<Index> place(static_cast<std::size_t>(s.cols()), -1);
   std::vector<Index> order;
-  for (const Index v : near_order(s)) {
+  for (Index v = 0; v < s.cols(); ++v) {
     if (held[static_cast<std::size_t>(v)] != 0) continue;
     place[static_cast<std::size_t>(v)] = static_cast<Index>(order.size());
     order.push_back(v);
@@ -183,18 +181,10 @@ Grid<R> least_squares(const SparseRows<R>& s, GridView<const R> fine,
         row.push_back({place[static_cast<std::size_t>(entry.col)], entry.weight});
     reduced.push_row(std::move(row));
   }
-  const EnvelopeLdlt<R> solver(reduced);
-  if (solver.dependent_column())
-    throw InvalidField(
-        "the fine points do not determine the coarse vertices; the mesh has no "
-        "reverse");
-  LineBuffer<R> solution(reduced.cols(), fine.cols());
-  reduced.multiply_transposed({fine.row(0), fine.rows(), fine.cols(), fine.stride()},
-                              solution.lines());
-  solver.solve(solution.lines());
+  const Grid<R> solution = solved(reduced, fine);
   Grid<R> result({s.cols(), fine.cols()});
   for (std::size_t i = 0; i < order.size(); ++i)
-    std::copy_n(solution.lines()[static_cast<Index>(i)], fine.cols(), result.row(order[i]));
+    std::copy_n(solution.row(static_cast<Index>(i)), fine.cols(), result.row(order[i]));
   for (const auto& pattern : patterns) {
     const auto length = static_cast<Index>(
         std::count_if(pattern.begin(), pattern.end(), [](int sign) { return sign != 0; }));
@@ -246,25 +236,25 @@ std::vector<std::vector<int>> invisible_patterns(const MeshFaces& coarse, MeshSc
 }
 
 template <class R>
-MeshCoarse<R> reverse_mesh_step(const MeshFaces& coarse, MeshScheme scheme, GridView<const R> fine,
+MeshCoarse<R> reverse_mesh_step(const MeshFaces& coarse, MeshRule rule, GridView<const R> fine,
                                 ReverseMode mode) {
-  const MeshStep<R> step = mesh_step<R>(coarse, scheme);
+  const MeshStep<R> step = mesh_step<R>(coarse, rule);
   if (fine.rows() != step.s.rows())
     throw InvalidField("there are " + std::to_string(fine.rows()) +
                        " fine points where the mesh "
                        "refines to " +
                        std::to_string(step.s.rows()));
-  const auto patterns = invisible_patterns(coarse, scheme);
+  const auto patterns = invisible_patterns(coarse, rule.scheme);
   if (mode == ReverseMode::local) {
-    auto found = LocalMeshReverse<R>(coarse, scheme, fine).run();
+    auto found = LocalMeshReverse<R>(coarse, rule, fine).run();
     if (found) return {std::move(*found), true};
   }
   return {least_squares(step.s, fine, patterns), patterns.empty()};
 }
 
-template MeshCoarse<double> reverse_mesh_step(const MeshFaces&, MeshScheme, GridView<const double>,
+template MeshCoarse<double> reverse_mesh_step(const MeshFaces&, MeshRule, GridView<const double>,
                                               ReverseMode);
-template MeshCoarse<Rational> reverse_mesh_step(const MeshFaces&, MeshScheme,
+template MeshCoarse<Rational> reverse_mesh_step(const MeshFaces&, MeshRule,
                                                 GridView<const Rational>, ReverseMode);
 
 }  // namespace arete

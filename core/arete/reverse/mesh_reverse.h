@@ -48,19 +48,20 @@ struct MeshCoarse {
 /// The reverse of one step of subdivision of `coarse`: positions of its vertices from fine ones in
 /// the order of mesh_step.
 ///
-/// - local: the formulas above; at the boundary V = 2 v' - (e_1 + e_2)/2; Doo-Sabin's vertex is the
-///   mean over its faces of what each face alone gives. Catmull-Clark vertices of valence 3 follow
+/// - local: the formulas above; at the boundary V = 2 v' - (e_1 + e_2)/2 (sharp corners: v'; rim
+///   `thirds`: 3 v' - e_1 - e_2); Doo-Sabin's vertex is the mean over its faces of what each face
+///   alone gives. Catmull-Clark vertices of valence 3 follow
 ///   from neighbours E by V = 4 e - E - f_1 - f_2, the mean over those known, in sweeps of
 ///   ascending vertices. A closed part with valence 3 everywhere is left to least squares.
 /// - least squares: the positions whose subdivision is nearest.
 ///
 /// Both give subdivided data back exactly (to rounding). On other data local formulas amplify
 /// noise: Catmull-Clark by up to (n+5)/(n-3), Loop 4, Doo-Sabin 4 (quads); least squares hardly.
-/// Cost: local O(fine); least squares O(n w^2) for n vertices and an envelope of width w, about
-/// n^2 for a surface.
+/// Cost: local O(fine); least squares in double a sparse Cholesky factorisation with a fill-reducing
+/// order, about O(n^1.5) for a surface of n vertices.
 /// \throws InvalidField if the number of fine rows is not that of the step.
 template <class R>
-[[nodiscard]] MeshCoarse<R> reverse_mesh_step(const MeshFaces& coarse, MeshScheme scheme,
+[[nodiscard]] MeshCoarse<R> reverse_mesh_step(const MeshFaces& coarse, MeshRule rule,
                                               GridView<const R> fine, ReverseMode mode);
 
 /// How many dimensions of coarse positions no fine point shows: for Catmull-Clark the number of
@@ -69,9 +70,9 @@ template <class R>
 [[nodiscard]] std::vector<std::vector<int>> invisible_patterns(const MeshFaces& coarse,
                                                                MeshScheme scheme);
 
-extern template MeshCoarse<double> reverse_mesh_step(const MeshFaces&, MeshScheme,
+extern template MeshCoarse<double> reverse_mesh_step(const MeshFaces&, MeshRule,
                                                      GridView<const double>, ReverseMode);
-extern template MeshCoarse<Rational> reverse_mesh_step(const MeshFaces&, MeshScheme,
+extern template MeshCoarse<Rational> reverse_mesh_step(const MeshFaces&, MeshRule,
                                                        GridView<const Rational>, ReverseMode);
 
 }  // namespace arete

@@ -12,12 +12,13 @@ R quotient(int p, Index q) {
   return R(p) / R(static_cast<int>(q));
 }
 
-// A vertex and its two neighbours along the boundary: (1, 6, 1)/8.
+// A vertex and its two neighbours along the boundary.
 template <class R>
-Row<R> boundary_vertex(const MeshNeighbours& mesh, Index v) {
-  Row<R> row{{v, quotient<R>(3, 4)}};
+Row<R> boundary_vertex(const MeshNeighbours& mesh, Index v, MeshRim rim) {
+  const R beside = rim_weight<R>(rim, mesh.vertex_faces(v).size());
+  Row<R> row{{v, R(1) - R(2) * beside}};
   for (const Index e : mesh.vertex_edges(v))
-    if (mesh.boundary_edge(e)) row.push_back({mesh.other_end(e, v), quotient<R>(1, 8)});
+    if (mesh.boundary_edge(e)) row.push_back({mesh.other_end(e, v), beside});
   return row;
 }
 
@@ -27,7 +28,7 @@ void add_centre(Row<R>& row, const std::vector<Index>& face, const R& weight) {
 }
 
 template <class R>
-MeshStep<R> catmull_clark(const MeshFaces& coarse) {
+MeshStep<R> catmull_clark(const MeshFaces& coarse, MeshRim rim) {
   const MeshNeighbours mesh(coarse);
   const auto face = [&](Index f) -> const std::vector<Index>& {
     return coarse.faces[static_cast<std::size_t>(f)];
@@ -35,7 +36,7 @@ MeshStep<R> catmull_clark(const MeshFaces& coarse) {
   SparseRows<R> s(coarse.vertices);
   for (Index v = 0; v < coarse.vertices; ++v) {
     if (mesh.on_boundary(v)) {
-      s.push_row(boundary_vertex<R>(mesh, v));
+      s.push_row(boundary_vertex<R>(mesh, v, rim));
       continue;
     }
     const auto n = static_cast<Index>(mesh.vertex_edges(v).size());
@@ -73,7 +74,7 @@ MeshStep<R> catmull_clark(const MeshFaces& coarse) {
 }
 
 template <class R>
-MeshStep<R> loop(const MeshFaces& coarse) {
+MeshStep<R> loop(const MeshFaces& coarse, MeshRule rule) {
   const MeshNeighbours mesh(coarse);
   for (std::size_t f = 0; f < coarse.faces.size(); ++f)
     if (coarse.faces[f].size() != 3)
@@ -83,11 +84,11 @@ MeshStep<R> loop(const MeshFaces& coarse) {
   SparseRows<R> s(coarse.vertices);
   for (Index v = 0; v < coarse.vertices; ++v) {
     if (mesh.on_boundary(v)) {
-      s.push_row(boundary_vertex<R>(mesh, v));
+      s.push_row(boundary_vertex<R>(mesh, v, rule.rim));
       continue;
     }
     const auto n = static_cast<Index>(mesh.vertex_edges(v).size());
-    const R beta = loop_beta<R>(n);
+    const R beta = loop_beta<R>(rule.scheme, n);
     Row<R> row{{v, R(1) - R(static_cast<int>(n)) * beta}};
     for (const Index e : mesh.vertex_edges(v)) row.push_back({mesh.other_end(e, v), beta});
     s.push_row(std::move(row));
@@ -188,19 +189,13 @@ MeshStep<R> doo_sabin(const MeshFaces& coarse) {
 }  // namespace
 
 template <class R>
-MeshStep<R> mesh_step(const MeshFaces& coarse, MeshScheme scheme) {
-  switch (scheme) {
-    case MeshScheme::catmull_clark:
-      return catmull_clark<R>(coarse);
-    case MeshScheme::loop:
-      return loop<R>(coarse);
-    case MeshScheme::doo_sabin:
-      break;
-  }
-  return doo_sabin<R>(coarse);
+MeshStep<R> mesh_step(const MeshFaces& coarse, MeshRule rule) {
+  if (rule.triangles()) return loop<R>(coarse, rule);
+  if (rule.scheme == MeshScheme::doo_sabin) return doo_sabin<R>(coarse);
+  return catmull_clark<R>(coarse, rule.rim);
 }
 
-template MeshStep<double> mesh_step(const MeshFaces&, MeshScheme);
-template MeshStep<Rational> mesh_step(const MeshFaces&, MeshScheme);
+template MeshStep<double> mesh_step(const MeshFaces&, MeshRule);
+template MeshStep<Rational> mesh_step(const MeshFaces&, MeshRule);
 
 }  // namespace arete

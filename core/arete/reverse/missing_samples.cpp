@@ -19,13 +19,14 @@ void for_neighbours(Extent extent, Index place, Visit&& visit) {
 // The fine samples nearest to each coarse one along an axis.
 std::vector<IndexRange> nearest(const ReverseLevel& axis) {
   std::vector<IndexRange> ranges;
+  // The integers nearest to coarse sample 0: one, or two when it lies midway.
   const Rational shift = axis.fine_count == 1 ? Rational(0) : Rational(axis.tau - axis.rows.first);
+  const Rational half(1, 2);
+  const auto lowest = static_cast<Index>(ceil(Rational(shift - half)));
+  const auto highest = static_cast<Index>(floor(Rational(shift + half)));
+  const Index spacing = axis.fine_count == 1 ? 0 : axis.arity;
   for (Index j = 0; j < axis.coarse_count; ++j) {
-    const Rational place = shift + Rational(axis.fine_count == 1 ? 0 : axis.arity * j);
-    const Rational half(1, 2);
-    // The integers nearest to the place: one, or two when it lies midway.
-    IndexRange range{static_cast<Index>(ceil(Rational(place - half))),
-                     static_cast<Index>(floor(Rational(place + half)))};
+    IndexRange range{lowest + spacing * j, highest + spacing * j};
     if (axis.closed) {
       ranges.push_back(range);
       continue;

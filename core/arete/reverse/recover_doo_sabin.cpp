@@ -23,9 +23,11 @@ std::vector<Index> faces_around(const MeshFaces& fine, const MeshNeighbours& mes
 }
 
 std::optional<Labels> doo_sabin_labels(const std::vector<std::vector<Index>>& around,
-                                       const MeshFaces& fine, std::size_t first) {
+                                       const MeshFaces& fine, std::size_t first,
+                                       Obstacle& obstacle) {
   Labels label(fine.faces.size(), unknown);
   std::vector<Index> open;
+  std::size_t reached = 0;
   label[static_cast<std::size_t>(around[0][first])] = of_face;
   open.push_back(around[0][first]);
   while (!open.empty()) {
@@ -41,7 +43,12 @@ std::optional<Labels> doo_sabin_labels(const std::vector<std::vector<Index>>& ar
             k != 2 ? of_edge
                    : (label[static_cast<std::size_t>(f)] == of_face ? of_vertex : of_face);
         int& other = label[static_cast<std::size_t>(g)];
-        if (other != unknown && other != expected) return std::nullopt;
+        if (other != unknown && other != expected) {
+          obstacle.met(reached, "face " + std::to_string(g) +
+                                    " should be both a face's, an edge's or a vertex's");
+          return std::nullopt;
+        }
+        if (other == unknown) ++reached;
         if (other == unknown && expected != of_edge) open.push_back(g);
         other = expected;
       }
@@ -51,7 +58,8 @@ std::optional<Labels> doo_sabin_labels(const std::vector<std::vector<Index>>& ar
 }
 
 std::optional<RecoveredMesh> doo_sabin_mesh(const std::vector<std::vector<Index>>& around,
-                                            const MeshFaces& fine, const Labels& label) {
+                                            const MeshFaces& fine, const Labels& label,
+                                            Obstacle& obstacle) {
   RecoveredMesh result;
   std::map<Index, Index> number;
   for (std::size_t f = 0; f < label.size(); ++f)
@@ -69,28 +77,35 @@ std::optional<RecoveredMesh> doo_sabin_mesh(const std::vector<std::vector<Index>
     result.coarse.faces.push_back(std::move(corners));
   }
   try {
-    if (fits(fine, result.coarse, result.place, MeshScheme::doo_sabin)) return result;
-  } catch (const InvalidField&) {
+    if (fits(fine, result, MeshScheme::doo_sabin)) return result;
+    obstacle.met(label.size(), "the coarse mesh read off refines to another mesh");
+  } catch (const InvalidField& error) {
+    obstacle.met(label.size(), std::string("in the coarse mesh read off ") + error.what());
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<RecoveredMesh> doo_sabin(const MeshFaces& fine, const MeshNeighbours& mesh) {
-  std::vector<RecoveredMesh> found;
+Recovered doo_sabin(const MeshFaces& fine, const MeshNeighbours& mesh, Obstacle& obstacle) {
+  Recovered found;
   std::vector<std::vector<Index>> around;
   for (Index v = 0; v < fine.vertices; ++v) {
     if (mesh.on_boundary(v))
       throw InvalidField("vertex " + std::to_string(v) +
                          " lies on a boundary; the reverse of Doo-Sabin is for closed meshes");
     around.push_back(faces_around(fine, mesh, v));
-    if (around.back().size() != 4) return found;
+    if (around.back().size() != 4) {
+      obstacle.met(0, "vertex " + std::to_string(v) + " has valence " +
+                          std::to_string(around.back().size()) + ", not 4");
+      return found;
+    }
   }
   for (std::size_t first = 0; first < 4; ++first) {
-    const auto label = doo_sabin_labels(around, fine, first);
+    const auto label = doo_sabin_labels(around, fine, first, obstacle);
     if (!label) continue;
-    if (auto result = doo_sabin_mesh(around, fine, *label)) found.push_back(std::move(*result));
+    if (auto result = doo_sabin_mesh(around, fine, *label, obstacle))
+      found.push_back(std::move(*result));
   }
   return found;
 }

@@ -51,6 +51,12 @@ class SparseRows {
     return entries;
   }
 
+  /// The column that row i is a mere copy of (one entry, of weight 1); -1 for any other row.
+  [[nodiscard]] Index copied_column(Index i) const {
+    const std::size_t k = begin(i);
+    return begin(i + 1) == k + 1 && weights_[k] == R(1) ? columns_[k] : Index{-1};
+  }
+
   /// The rows `chosen`, in that order.
   [[nodiscard]] SparseRows selected(const std::vector<Index>& chosen) const {
     SparseRows result(cols_);
@@ -71,12 +77,15 @@ class SparseRows {
     multiply_row(i, x, x.part(0, 0), out, taps);
   }
 
-  /// out = A^T x, x.count = rows(), out.count = cols().
-  void multiply_transposed(Lines<const R> x, Lines<R> out) const {
-    for (Index j = 0; j < cols_; ++j) std::fill_n(out[j], out.lanes, R(0));
+  /// A^T: its sums run over the rows of A in order.
+  [[nodiscard]] SparseRows transposed() const {
+    std::vector<Row> columns(static_cast<std::size_t>(cols_));
     for (Index i = 0; i < rows(); ++i)
-      for (std::size_t k = begin(i); k < begin(i + 1); ++k)
-        add_line(out[columns_[k]], x[i], weights_[k], out.lanes);
+      for (const auto& [col, weight] : row(i))
+        columns[static_cast<std::size_t>(col)].push_back({i, weight});
+    SparseRows result(rows());
+    for (Row& column : columns) result.push_row(std::move(column));
+    return result;
   }
 
  private:

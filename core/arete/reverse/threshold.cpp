@@ -6,6 +6,25 @@
 
 namespace arete {
 
+double largest_threshold(double highest, double target, const std::function<double(double)>& rmse) {
+  if (!(target >= 0) || !std::isfinite(target))
+    throw InvalidField("the target RMSE must be 0 or more, in units of the input");
+  if (rmse(highest) <= target) return highest;
+  // Search between powers of two first, so that small thresholds are found as exactly as large
+  // ones.
+  double low = highest;
+  for (int halvings = 0; rmse(low) > target; ++halvings) {
+    if (halvings == 60) return 0;
+    highest = low;
+    low /= 2;
+  }
+  while (highest - low > 1e-3 * highest) {
+    const double middle = (low + highest) / 2;
+    (rmse(middle) <= target ? low : highest) = middle;
+  }
+  return low;
+}
+
 void drop_details(GridDecomposition<double>& parts, double threshold) {
   if (!(threshold >= 0) || !std::isfinite(threshold))
     throw InvalidField("the threshold must be 0 or more, in units of the heights");
@@ -47,8 +66,6 @@ RestoreError restore_error(const Grid<double>& restored, GridView<const double> 
 double threshold_for_rmse(const GridDecomposition<double>& parts, GridView<const double> fine,
                           const ValidSamples& valid, const Scheme& scheme,
                           const GridReverseOptions& options, double target) {
-  if (!(target >= 0) || !std::isfinite(target))
-    throw InvalidField("the target RMSE must be 0 or more, in units of the heights");
   const auto rmse = [&](double threshold) {
     GridDecomposition<double> dropped = parts;
     drop_details(dropped, threshold);
@@ -60,20 +77,7 @@ double threshold_for_rmse(const GridDecomposition<double>& parts, GridView<const
   for (const auto& level : parts.details)
     for (const Grid<double>* block : level.blocks())
       for (const double detail : block->samples()) highest = std::max(highest, std::abs(detail));
-  if (rmse(highest) <= target) return highest;
-  // Search between powers of two first, so that small thresholds are found as exactly as large
-  // ones.
-  double low = highest;
-  for (int halvings = 0; rmse(low) > target; ++halvings) {
-    if (halvings == 60) return 0;
-    highest = low;
-    low /= 2;
-  }
-  while (highest - low > 1e-3 * highest) {
-    const double middle = (low + highest) / 2;
-    (rmse(middle) <= target ? low : highest) = middle;
-  }
-  return low;
+  return largest_threshold(highest, target, rmse);
 }
 
 }  // namespace arete

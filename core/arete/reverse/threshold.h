@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "arete/reverse/missing_samples.h"
 
 namespace arete {
@@ -25,6 +27,11 @@ struct RestoreError {
 
 [[nodiscard]] RestoreError restore_error(const Grid<double>& restored, GridView<const double> fine,
                                          const ValidSamples& valid);
+
+/// The largest threshold up to `highest`, found by bisection to 1/1000 of itself, with
+/// rmse(threshold) <= target; 0 if there is none. \throws InvalidField for a negative target.
+[[nodiscard]] double largest_threshold(double highest, double target,
+                                       const std::function<double(double)>& rmse);
 
 /// The largest threshold found by bisection (to 1/1000 of itself) whose restored grid has an RMSE
 /// of at most `target`; 0 if even that drops too much. Costs some 20 reconstructions. \throws
