@@ -54,7 +54,8 @@ function(arete_library name)
   if(name STREQUAL "core")
     add_library(arete_core ${_library_SOURCES})
     set_target_properties(arete_core PROPERTIES OUTPUT_NAME arete SOVERSION ${ARETE_ABI_VERSION}
-                                                VERSION ${ARETE_ABI_VERSION}.${PROJECT_VERSION})
+                                                VERSION ${ARETE_ABI_VERSION}.${PROJECT_VERSION}
+                                                DEFINE_SYMBOL "")
   else()
     add_library(arete_${name} STATIC ${_library_SOURCES})
   endif()

@@ -19,6 +19,11 @@ endif()
 function(arete_target_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  arete_compile_options(${target})
+endfunction()
+
+# The flags alone, for targets whose language standard is set elsewhere.
+function(arete_compile_options target)
   # Contraction to fused multiply-add changes results between compilers and tilings.
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -7,6 +7,9 @@
 #endif
 #ifdef WITH_VTK
 #include <arete/vtk/write_image.h>
+#include <vtkAreteRefineImage.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 #endif
 #ifdef WITH_OPENMESH
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -37,6 +40,12 @@ int main() {
     return 3;
   } catch (const std::exception&) {
   }
+  const vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 4, 1);
+  const vtkNew<vtkAreteRefineImage> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  if (filter->GetOutput()->GetNumberOfPoints() != 63) return 4;
 #endif
 #ifdef WITH_OPENMESH
   using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
