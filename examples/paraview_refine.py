@@ -53,6 +53,8 @@ def picture(surface, array, path):
     low, high = surface.PointData[array].GetRange()
     colors.RescaleTransferFunction(low, high)
     x0, x1, y0, y1, z0, z1 = surface.GetDataInformation().GetBounds()
+    # The first picture of a view brings a camera of its own, so ours comes after it.
+    Render(view)
     middle = [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2]
     reach = max(x1 - x0, y1 - y0)
     view.CameraFocalPoint = middle
