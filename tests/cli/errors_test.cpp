@@ -3,9 +3,9 @@
 // written.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 
+#include "expect_error.h"
 #include "run_program.h"
 #include "support/temporary_folder.h"
 
@@ -14,16 +14,8 @@ namespace {
 
 using test::Arguments;
 using test::dem;
+using test::expect_error;
 using test::run_arete;
-
-void expect_error(const Arguments& arguments, int code, const std::string& part) {
-  const test::Run run = run_arete(arguments);
-  EXPECT_EQ(run.exit_code, code) << run.err;
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.err.rfind("arete: ", 0), 0u) << run.err;
-  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
-}
 
 TEST(cli_errors, misuse_of_refine_exits_with_2_and_writes_nothing) {
   const test::TemporaryFolder folder;
