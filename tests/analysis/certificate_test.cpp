@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "analysis/oracle_scheme.h"
 
 namespace arete {
