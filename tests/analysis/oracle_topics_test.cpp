@@ -11,10 +11,12 @@
 #include <regex>
 #include <set>
 
+#include "support/source_dir.h"
+
 namespace arete {
 namespace {
 
-const std::filesystem::path tests_folder = std::string(ARETE_SOURCE_DIR) + "/tests";
+const std::filesystem::path tests_folder = arete::test::source_dir() + "/tests";
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream stream(path);

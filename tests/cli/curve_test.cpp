@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "run_program.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace arete {
@@ -55,7 +56,7 @@ TEST(cli_curve, tau_says_where_each_point_lies_among_the_control_points) {
 
 TEST(cli_curve, the_bundled_contour_becomes_points_a_polyline_and_a_plot) {
   const test::TemporaryFolder folder;
-  const std::string contour = std::string(ARETE_SOURCE_DIR) + "/data/poland_contour.csv";
+  const std::string contour = arete::test::source_dir() + "/data/poland_contour.csv";
   for (const char* name : {"out.csv", "out.vtp", "out.png"}) {
     const auto report = run_json({"curve", contour, folder.file(name), "--scheme", "four-point",
                                   "--closed", "--levels", "2", "--json"});
@@ -103,9 +104,9 @@ TEST(cli_curve, interpolate_passes_through_the_points_by_any_scheme_that_can) {
   for (const char* scheme : {"b-spline:degree=3", "b-spline:degree=5", "gentle", "chaikin",
                              "ternary-two-step", "four-point"})
     for (const char* closed : {"--closed", "--json"}) {
-      const auto run = run_arete({"curve", folder.file("in.csv"), folder.file("out.csv"), "--scheme",
-                                  scheme, "--levels", "3", "--interpolate", "--limit", "--tau",
-                                  "--overwrite", closed});
+      const auto run =
+          run_arete({"curve", folder.file("in.csv"), folder.file("out.csv"), "--scheme", scheme,
+                     "--levels", "3", "--interpolate", "--limit", "--tau", "--overwrite", closed});
       ASSERT_EQ(run.exit_code, 0) << run.err;
       // Of these only the ternary scheme has no point of the limit at whole parameters.
       std::size_t met = 0;
@@ -181,11 +182,11 @@ TEST(cli_curve, fixed_ends_begin_and_end_at_the_control_points) {
   const test::TemporaryFolder folder;
   std::ofstream(folder.file("in.csv")) << "0,0\n1,3\n2,-1\n4,4\n";
   for (const char* scheme : {"chaikin", "b-spline", "gentle", "three-point"}) {
-    ASSERT_EQ(run_arete({"curve", folder.file("in.csv"), folder.file("out.csv"), "--scheme", scheme,
-                         "--levels", "2", "--fixed-ends", "--tau", "--boundary", "clamp",
-                         "--overwrite"})
-                  .exit_code,
-              0);
+    ASSERT_EQ(
+        run_arete({"curve", folder.file("in.csv"), folder.file("out.csv"), "--scheme", scheme,
+                   "--levels", "2", "--fixed-ends", "--tau", "--boundary", "clamp", "--overwrite"})
+            .exit_code,
+        0);
     const auto rows = rows_of(folder.file("out.csv"));
     EXPECT_EQ(rows.front(), (std::vector<double>{0, 0, 0})) << scheme;
     EXPECT_EQ(rows.back(), (std::vector<double>{4, 4, 3})) << scheme;

@@ -24,6 +24,7 @@
 
 #include "arete/scheme/catalogue.h"
 #include "run_program.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace arete {
@@ -71,7 +72,7 @@ std::string without_blanks(const std::string& text) {
 }
 
 std::string shell(const std::string& folder, const std::string& command, int& exit_code) {
-  const std::string program = ARETE_PROGRAM;
+  const std::string program = arete::test::program_path();
   const std::string path = std::filesystem::path(program).parent_path().string();
   const std::string line =
       "cd '" + folder + "' && PATH='" + path + "':$PATH && { " + command + "\n} 2>&1";
@@ -87,7 +88,7 @@ std::string shell(const std::string& folder, const std::string& command, int& ex
 
 // docs/schemes/NAME.md holds, between two marks, what the program says of the family.
 TEST(documents, have_a_page_for_every_family_with_its_facts) {
-  const std::filesystem::path pages = std::string(ARETE_SOURCE_DIR) + "/docs/schemes";
+  const std::filesystem::path pages = arete::test::source_dir() + "/docs/schemes";
   std::size_t count = 0;
   for (const Family& family : catalogue()) {
     const auto page = pages / (family.name + ".md");
@@ -116,9 +117,9 @@ class console_blocks : public testing::TestWithParam<const char*> {};
 
 TEST_P(console_blocks, show_what_the_program_prints) {
   const test::TemporaryFolder folder;
-  std::filesystem::create_directory_symlink(std::string(ARETE_SOURCE_DIR) + "/data",
+  std::filesystem::create_directory_symlink(arete::test::source_dir() + "/data",
                                             folder.file("data"));
-  const auto commands = commands_of(std::string(ARETE_SOURCE_DIR) + "/docs/" + GetParam());
+  const auto commands = commands_of(arete::test::source_dir() + "/docs/" + GetParam());
   EXPECT_FALSE(commands.empty());
   for (const Command& command : commands) {
     int exit_code = 0;

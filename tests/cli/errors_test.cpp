@@ -7,6 +7,7 @@
 
 #include "expect_error.h"
 #include "run_program.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace arete {
@@ -56,7 +57,7 @@ TEST(cli_errors, work_that_cannot_be_done_exits_with_1_and_writes_nothing) {
     return all;
   };
   expect_error(refine(folder.file("absent.tif"), out), 1, "does not exist");
-  expect_error(refine(std::string(ARETE_SOURCE_DIR) + "/LICENSE", out), 1, "not a raster");
+  expect_error(refine(arete::test::source_dir() + "/LICENSE", out), 1, "not a raster");
   expect_error(refine(dem, folder.file("no/folder/out.tif")), 1, "cannot be written");
   expect_error(refine(dem, out, {"--levels", "7", "--max-memory", "50M"}), 1, "raise --max-memory");
   expect_error(refine(dem, folder.file("out.vti"), {"--levels", "8", "--max-memory", "1G"}), 1,

@@ -8,6 +8,7 @@
 #include "arete/gdal/band_source.h"
 #include "expect_error.h"
 #include "run_program.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace arete {
@@ -16,7 +17,7 @@ namespace {
 using test::Arguments;
 using test::run_json;
 
-const std::string davis = std::string(ARETE_SOURCE_DIR) + "/data/davis_topo.csv";
+const std::string davis = arete::test::source_dir() + "/data/davis_topo.csv";
 
 struct GridRun {
   test::TemporaryFolder folder;

@@ -11,6 +11,7 @@
 #include "arete/gdal/geotiff.h"
 #include "run_program.h"
 #include "support/fields.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace arete {
@@ -21,7 +22,7 @@ using test::dem;
 using test::run_arete;
 using test::run_json;
 
-const std::string contour = std::string(ARETE_SOURCE_DIR) + "/data/poland_contour.csv";
+const std::string contour = arete::test::source_dir() + "/data/poland_contour.csv";
 
 std::string bytes_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);

@@ -30,14 +30,17 @@ std::string contents(const std::string& path) {
   redirect(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
   redirect(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
   unsetenv("DISPLAY");
-  std::vector<char*> argv{const_cast<char*>(ARETE_PROGRAM)};
+  std::string program = program_path();
+  std::vector<char*> argv{program.data()};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  execv(ARETE_PROGRAM, argv.data());
+  execv(program.c_str(), argv.data());
   _exit(127);
 }
 
 }  // namespace
+
+std::string program_path() { return ARETE_PROGRAM; }
 
 Run run_arete(const Arguments& arguments, const std::function<void(int)>& while_running) {
   const TemporaryFolder folder;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "support/source_dir.h"
+
 namespace arete::test {
 
 /// How a run of the program ended.
@@ -17,6 +19,9 @@ struct Run {
 
 using Arguments = std::vector<std::string>;
 
+/// The program under test.
+std::string program_path();
+
 /// Runs `arete` with these arguments, no display, nothing on stdin. `while_running` is called with
 /// its process id once it has started.
 [[nodiscard]] Run run_arete(const Arguments& arguments,
@@ -26,6 +31,6 @@ using Arguments = std::vector<std::string>;
 [[nodiscard]] nlohmann::json run_json(const Arguments& arguments);
 
 /// The bundled terrain.
-inline const std::string dem = std::string(ARETE_SOURCE_DIR) + "/data/jacksboro_srtm3.tif";
+inline const std::string dem = arete::test::source_dir() + "/data/jacksboro_srtm3.tif";
 
 }  // namespace arete::test

@@ -11,10 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "support/source_dir.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path root = ARETE_SOURCE_DIR;
+const fs::path root = arete::test::source_dir();
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> found;

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "support/source_dir.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,7 +88,7 @@ std::string where(const Include& include) {
   return include.file.string() + ":" + std::to_string(include.line) + " includes " + include.target;
 }
 
-const fs::path root = ARETE_SOURCE_DIR;
+const fs::path root = arete::test::source_dir();
 
 TEST(layering, core_rooms_include_only_the_rooms_below_them) {
   int checked = 0;

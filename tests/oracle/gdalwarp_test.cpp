@@ -13,6 +13,7 @@
 #include "arete/refine/refiner.h"
 #include "arete/scheme/catalogue.h"
 #include "support/fields.h"
+#include "support/source_dir.h"
 
 namespace arete {
 namespace {
@@ -93,7 +94,7 @@ double largest_difference(const Grid<double>& a, const Grid<double>& b, Index ri
 
 TEST(gdalwarp, one_level_of_the_four_point_scheme_is_the_cubic_kernel) {
   // Exactly where no rounding happens (integers and eighths, dyadic weights)...
-  const gdal::Raster dem(std::string(ARETE_SOURCE_DIR) + "/data/jacksboro_srtm3.tif");
+  const gdal::Raster dem(arete::test::source_dir() + "/data/jacksboro_srtm3.tif");
   for (const Grid<double>& input :
        {gdal::read_band<double>(dem, dem.bands().front()), test::dyadic_heights({21, 50}, 2)})
     EXPECT_EQ(largest_difference(refine(input, parse_scheme("four-point")),

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "support/source_dir.h"
+
 namespace arete::test {
 
 /// The body rows of the first table below the heading that begins with these words, in a document
@@ -13,7 +15,7 @@ namespace arete::test {
 /// renamed heading cannot make a test pass by being empty.
 inline std::vector<std::vector<std::string>> markdown_table(const std::string& file,
                                                             const std::string& heading) {
-  std::ifstream stream(std::string(ARETE_SOURCE_DIR) + "/" + file);
+  std::ifstream stream(arete::test::source_dir() + "/" + file);
   if (!stream) throw std::runtime_error("cannot open " + file);
   std::vector<std::vector<std::string>> rows;
   bool below = false;

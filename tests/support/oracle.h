@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arete/algebra/rational.h"
+#include "support/source_dir.h"
 
 namespace arete::test {
 
@@ -15,7 +16,7 @@ namespace arete::test {
 /// cannot make a test pass by being empty.
 inline std::vector<nlohmann::json> oracle_records(const std::string& file,
                                                   const std::string& topic) {
-  std::ifstream stream(std::string(ARETE_SOURCE_DIR) + "/tests/data/" + file);
+  std::ifstream stream(arete::test::source_dir() + "/tests/data/" + file);
   if (!stream) throw std::runtime_error("cannot open tests/data/" + file);
   const nlohmann::json all = nlohmann::json::parse(stream);
   std::vector<nlohmann::json> found;

@@ -16,6 +16,7 @@
 #include "support/schemes.h"
 #ifdef ARETE_HAVE_GDAL
 #include "arete/gdal/band_source.h"
+#include "support/source_dir.h"
 #endif
 
 namespace arete {
@@ -217,7 +218,7 @@ TEST(cardinal, cubic_spline_equals_an_independent_interpolating_spline) {
 
 #ifdef ARETE_HAVE_GDAL
 TEST(cardinal, cubic_spline_on_the_dem_equals_an_independent_interpolating_spline) {
-  const gdal::Raster dem(std::string(ARETE_SOURCE_DIR) + "/data/jacksboro_srtm3.tif");
+  const gdal::Raster dem(arete::test::source_dir() + "/data/jacksboro_srtm3.tif");
   const Grid<double> samples = gdal::read_band<double>(dem, dem.bands().front());
   ASSERT_GT(samples.rows(), 300);
   EXPECT_LT(largest_difference(cardinal_cubic(samples, 2), textbook_surface(samples, 2)), 1e-9);

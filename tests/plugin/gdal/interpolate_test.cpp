@@ -13,6 +13,7 @@
 #include "make_raster.h"
 #include "support/fields.h"
 #include "support/schemes.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace arete {
@@ -37,7 +38,7 @@ Grid<double> samples_of(const std::string& path) {
 
 TEST(interpolate_raster, the_limit_surface_passes_through_the_dem) {
   const test::TemporaryFolder folder;
-  const std::string dem = std::string(ARETE_SOURCE_DIR) + "/data/jacksboro_srtm3.tif";
+  const std::string dem = arete::test::source_dir() + "/data/jacksboro_srtm3.tif";
   const Grid<double> heights = samples_of(dem);
   for (const char* name : {"b-spline:degree=3", "b-spline:degree=5"}) {
     const Scheme scheme = parse_scheme(name);
