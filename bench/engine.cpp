@@ -90,25 +90,23 @@ void kernel_weave(benchmark::State& state) {
   std::vector<float> line(turns + 2 * kernel_slack, 1.25F);
   const std::vector<float> weights{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F, 0.8F};
   Plane<float> out({1, 2 * turns});
-  const Strand<float> strands[]{{line.data(), weights.data(), static_cast<int>(state.range(1))},
-                                {line.data(), weights.data(), static_cast<int>(state.range(2))}};
+  const Strand<float> strands[]{{0, weights.data(), static_cast<int>(state.range(1))},
+                                {0, weights.data(), static_cast<int>(state.range(2))}};
+  const int warp_taps = static_cast<int>(state.range(3));
+  const Weave<float> weave = sets[set]->weave_for(warp_taps, strands, 2);
+  const std::vector<const float*> lines(8, line.data());
   for (auto _ : state) {
-    sets[set]->weave(out.row(0), strands, 2, turns, false);
+    weave(out.row(0), {lines.data(), weights.data(), warp_taps}, strands, 2, 2 * turns, false);
     benchmark::ClobberMemory();
   }
   state.SetLabel(std::string(sets[set]->name));
   state.SetItemsProcessed(state.iterations() * 2 * turns);
 }
 BENCHMARK(kernel_weave)
-    ->ArgNames({"set", "even", "odd"})
-    ->Args({0, 3, 4})
-    ->Args({1, 3, 4})
-    ->Args({2, 3, 4})
-    ->Args({0, 3, 2})
-    ->Args({1, 3, 2})
-    ->Args({2, 3, 2})
-    ->Args({2, 1, 8})
-    ->Args({2, 7, 7});
+    ->ArgNames({"set", "even", "odd", "warp"})
+    ->ArgsProduct({{0, 1, 2}, {3}, {4}, {0, 3, 4}})
+    ->ArgsProduct({{0, 1, 2}, {3}, {3}, {0, 3}})
+    ->ArgsProduct({{0, 1, 2}, {7}, {7}, {0}});
 
 void kernel_combine(benchmark::State& state) {
   const auto& sets = available_kernels<float>();
@@ -123,7 +121,7 @@ void kernel_combine(benchmark::State& state) {
   const std::vector<float> weights(static_cast<std::size_t>(taps), 0.25F);
   Plane<float> out({1, count});
   for (auto _ : state) {
-    sets[set]->combine(out.row(0), lines.data(), 0, weights.data(), taps, count);
+    sets[set]->combine(out.row(0), lines.data(), weights.data(), taps, count);
     benchmark::ClobberMemory();
   }
   state.SetLabel(std::string(sets[set]->name));

@@ -3,12 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <random>
 #include <string>
+
+#include "arete/refine/kernel/shape.h"
+#include "arete/refine/level_rule.h"
+#include "support/schemes.h"
 
 namespace arete {
 namespace {
@@ -58,24 +64,53 @@ TYPED_TEST(KernelTest, combine_equals_the_plain_reference_to_the_last_bit_for_ev
     for (int taps : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 19, 64, 70}) {
       const std::vector<T> weights = this->line(taps);
       for (Index count = 0; count <= 70; ++count) {
-        for (Index first : {0, 1, 3}) {
-          std::vector<std::vector<T>> lines;
-          std::vector<const T*> starts, shifted;
-          for (int i = 0; i < taps; ++i) lines.push_back(this->line(count + first));
-          for (const auto& line : lines) {
-            starts.push_back(line.data());
-            shifted.push_back(line.data() + first);
-          }
-          Output<T> fast(count), plain(count);
-          std::memcpy(fast.samples.data(), plain.samples.data(), sizeof(T));
-          kernels->combine(fast.samples.data() + guard, starts.data(), first, weights.data(), taps,
-                           count);
-          combine_reference(plain.samples.data() + guard, shifted.data(), weights.data(), taps,
-                            count);
-          ASSERT_TRUE(same_bytes(fast.samples, plain.samples))
-              << kernels->name << ", " << taps << " taps, " << count << " samples";
-        }
+        std::vector<std::vector<T>> lines;
+        std::vector<const T*> starts;
+        for (int i = 0; i < taps; ++i) lines.push_back(this->line(count));
+        for (const auto& line : lines) starts.push_back(line.data());
+        Output<T> fast(count), plain(count);
+        std::memcpy(fast.samples.data(), plain.samples.data(), sizeof(T));
+        kernels->combine(fast.samples.data() + guard, starts.data(), weights.data(), taps, count);
+        combine_reference(plain.samples.data() + guard, starts.data(), weights.data(), taps, count);
+        ASSERT_TRUE(same_bytes(fast.samples, plain.samples))
+            << kernels->name << ", " << taps << " taps, " << count << " samples";
       }
+    }
+  }
+}
+
+// A row of `width` samples woven by the kernels and by the plain reference, for every remainder of
+// a vector, with and without streaming.
+template <class T>
+void expect_weave_of_the_reference(const Kernels<T>& kernels, int warp_taps,
+                                   const std::vector<Strand<T>>& strands, Index longest,
+                                   const std::function<std::vector<T>(Index)>& line) {
+  const auto arity = static_cast<int>(strands.size());
+  const Weave<T> weave = kernels.weave_for(warp_taps, strands.data(), arity);
+  ASSERT_NE(weave, nullptr);
+  for (const Index count : {0, 1, 3, 4, 7, 8, 15, 16, 17, 31, 33, 64, 65, 143, 145, 300}) {
+    const Index read = count / arity + 1 + longest;
+    std::vector<std::vector<T>> lines;
+    std::vector<const T*> starts;
+    for (int i = 0; i < std::max(1, warp_taps); ++i) lines.push_back(line(read));
+    for (const auto& samples : lines) starts.push_back(samples.data());
+    const std::vector<T> weights = line(warp_taps);
+    std::vector<T> sums = lines[0];
+    if (warp_taps > 0)
+      combine_reference(sums.data(), starts.data(), weights.data(), warp_taps, read);
+    for (const bool stream : {false, true}) {
+      const Index misalignment = stream ? 0 : count % 5;
+      Output<T> fast(count, misalignment);
+      Output<T> plain(count, misalignment);
+      weave(fast.start(), {starts.data(), weights.data(), warp_taps}, strands.data(), arity, count,
+            stream);
+      kernels.fence();
+      weave_reference(plain.start(), sums.data(), strands.data(), arity, count);
+      ASSERT_EQ(std::memcmp(fast.start() - guard, plain.start() - guard,
+                            static_cast<std::size_t>(count + guard + guard / 2) * sizeof(T)),
+                0)
+          << kernels.name << ", arity " << arity << ", warp of " << warp_taps << ", " << count
+          << " samples";
     }
   }
 }
@@ -85,36 +120,65 @@ TYPED_TEST(KernelTest, weave_equals_the_plain_reference_to_the_last_bit_for_ever
   std::mt19937 random(7);
   for (const Kernels<T>* kernels : available_kernels<T>()) {
     for (int arity : {1, 2, 3, 4, 5, 9, 11}) {
-      // Binary: every pair of fixed taps; otherwise taps of all kinds.
+      // Binary: every pair of taps, otherwise taps of all kinds.
       for (int variant = 0; variant < (arity == 2 ? 100 : 12); ++variant) {
-        std::vector<std::vector<T>> lines, weights;
+        std::vector<std::vector<T>> weights;
+        std::vector<Strand<T>> strands;
         for (int i = 0; i < arity; ++i) {
           const int taps =
               arity == 2 ? (i == 0 ? variant % 10 : variant / 10) : static_cast<int>(random() % 10);
           weights.push_back(this->line(taps));
-          weights.back().resize(static_cast<std::size_t>(taps));
-          lines.push_back(this->line(80));
+          strands.push_back({static_cast<Index>(random() % 3), weights.back().data(), taps});
         }
-        for (Index turns : {0, 1, 3, 4, 7, 8, 15, 16, 17, 33, 64}) {
-          std::vector<Strand<T>> strands;
-          for (std::size_t i = 0; i < lines.size(); ++i)
-            strands.push_back(
-                {lines[i].data() + i % 3, weights[i].data(), static_cast<int>(weights[i].size())});
-          for (bool stream : {false, true}) {
-            const Index misalignment = stream ? 0 : turns % 5;
-            Output<T> fast(arity * turns, misalignment);
-            Output<T> plain(arity * turns, misalignment);
-            kernels->weave(fast.start(), strands.data(), arity, turns, stream);
-            kernels->fence();
-            weave_reference(plain.start(), strands.data(), arity, turns);
-            ASSERT_EQ(std::memcmp(
-                          fast.start() - guard, plain.start() - guard,
-                          static_cast<std::size_t>(arity * turns + guard + guard / 2) * sizeof(T)),
-                      0)
-                << kernels->name << ", arity " << arity << ", " << turns << " turns";
-          }
-        }
+        expect_weave_of_the_reference<T>(*kernels, 0, strands, 12,
+                                         [&](Index count) { return this->line(count); });
       }
+    }
+  }
+}
+
+TYPED_TEST(KernelTest, every_shape_is_woven_as_the_plain_reference_does_to_the_last_bit) {
+  using T = TypeParam;
+  for (const Kernels<T>* kernels : available_kernels<T>()) {
+    for (const Shape& shape : shapes) {
+      std::vector<std::vector<T>> weights;
+      std::vector<Strand<T>> strands;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(shape.arity); ++i) {
+        weights.push_back(this->line(shape.taps[i]));
+        strands.push_back({shape.first[i] + 2, weights.back().data(), shape.taps[i]});
+      }
+      for (const int warp_taps : {0, shape.taps[0], shape.taps[strands.size() - 1]})
+        if (kernels->weave_for(warp_taps, strands.data(), shape.arity) != nullptr)
+          expect_weave_of_the_reference<T>(*kernels, warp_taps, strands, 12,
+                                           [&](Index count) { return this->line(count); });
+    }
+  }
+}
+
+TEST(Shapes, those_of_the_catalogue_are_known_wherever_a_row_begins) {
+  using T = float;
+  for (const Scheme& scheme : test::sample_schemes()) {
+    // None of the catalogue; one whose outer weights vanish.
+    if (scheme.mask().arity() == 4 || scheme.text() == "ternary-two-step:b=-3/8") continue;
+    const PhasedRule<T> rule(LevelRule{scheme.mask().arity(), scheme.mask().symbol()});
+    const int turns = rule.arity == 9 ? 1 : rule.arity;
+    for (int start = 0; start < turns; ++start) {
+      std::vector<Strand<T>> strands;
+      for (int i = start; i < start + rule.arity; ++i) {
+        const auto& phase = rule.phases[static_cast<std::size_t>(i % rule.arity)];
+        strands.push_back({i / rule.arity + phase.first + 9, phase.weights.data(),
+                           static_cast<int>(phase.weights.size())});
+      }
+      const auto shape = [&] {
+        return std::any_of(shapes.begin(), shapes.end(), [&](const Shape& known) {
+          bool same = known.arity == rule.arity;
+          for (std::size_t i = 0; same && i < strands.size(); ++i)
+            same = known.taps[i] == strands[i].taps &&
+                   known.first[i] - known.first[0] == strands[i].offset - strands[0].offset;
+          return same;
+        });
+      };
+      EXPECT_TRUE(shape()) << scheme.text() << " from phase " << start;
     }
   }
 }

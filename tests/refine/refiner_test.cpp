@@ -44,13 +44,14 @@ TYPED_TEST(RefinerTest, equals_the_plain_reference_to_the_last_bit) {
     const int levels = schemes[s].mask().arity() > 3 ? 1 : 2;
     for (Boundary boundary : every_boundary) {
       for (Alignment alignment : {Alignment::nodes, Alignment::cells}) {
-        for (Extent extent : {Extent{1, 9}, Extent{2, 2}, Extent{7, 11}, Extent{13, 8}}) {
+        for (Extent extent :
+             {Extent{1, 9}, Extent{2, 2}, Extent{7, 11}, Extent{13, 8}, Extent{6, 131}}) {
           RefineOptions options;
           options.levels = levels;
           options.boundaries = {boundary, Boundary::extrapolate};
           options.alignment = alignment;
-          // Another scheme of the same or another arity along y.
-          const Scheme& other = schemes[(s + 5) % schemes.size()];
+          // The same scheme along y, or another one of the same or another arity.
+          const Scheme& other = schemes[extent.cols < 12 ? (s + 5) % schemes.size() : s];
           if (boundary == Boundary::none && extent.cols < 9) continue;
           try {
             const Refiner<T> refiner(schemes[s], other, extent, options);
@@ -66,7 +67,17 @@ TYPED_TEST(RefinerTest, equals_the_plain_reference_to_the_last_bit) {
       }
     }
   }
-  EXPECT_GT(combinations, 900);
+  EXPECT_GT(combinations, 1150);
+}
+
+TYPED_TEST(RefinerTest, a_filter_without_weights_gives_zeros) {
+  using T = TypeParam;
+  RefineOptions options;
+  options.levels = 1;
+  options.final_y = Stencil{0, {}};
+  const Grid<T> input = test::random_heights<T>({9, 40});
+  const Grid<T> result = refine(input.view(), parse_scheme("gentle"), options);
+  for (const T v : result.samples()) EXPECT_EQ(v, T(0));
 }
 
 TYPED_TEST(RefinerTest, any_cut_into_bands_and_any_thread_count_give_the_same_bits) {

@@ -37,20 +37,23 @@ Work combine_row(const std::string& set, int taps) {
     std::vector<const float*> lines;
     for (const auto& row : rows) lines.push_back(row.data());
     const std::vector<float> weights(rows.size(), 0.25F);
-    kernels.combine(out.data(), lines.data(), 0, weights.data(), static_cast<int>(rows.size()),
+    kernels.combine(out.data(), lines.data(), weights.data(), static_cast<int>(rows.size()),
                     row_samples);
   };
 }
 
-Work weave_row(const std::string& set, const std::vector<int>& taps) {
-  const auto arity = static_cast<Index>(taps.size());
+// `phases`: first sample and taps of each phase.
+Work weave_row(const std::string& set, const std::vector<std::pair<Index, int>>& phases) {
+  const auto arity = static_cast<int>(phases.size());
   auto out = std::make_shared<Plane<float>>(Extent{1, row_samples * arity});
   return [=, &kernels = kernels_named(set),
           line = std::vector<float>(row_samples + 2 * kernel_slack, 1.25F)] {
     const std::vector<float> weights(16, 0.25F);
+    const float* const start = line.data();
     std::vector<Strand<float>> strands;
-    for (int count : taps) strands.push_back({line.data(), weights.data(), count});
-    kernels.weave(out->row(0), strands.data(), static_cast<int>(arity), row_samples, false);
+    for (const auto& [first, taps] : phases) strands.push_back({first, weights.data(), taps});
+    kernels.weave_for(0, strands.data(), arity)(out->row(0), {&start, nullptr, 0}, strands.data(),
+                                                arity, arity * row_samples, false);
   };
 }
 
@@ -76,26 +79,30 @@ const std::map<std::string, MakeWork>& cases() {
       {"combine-9", [](const std::string& set) { return combine_row(set, 9); }},
       {"weave-3-4",
        [](const std::string& set) {
-         return weave_row(set, {3, 4});
+         return weave_row(set, {{0, 3}, {0, 4}});
        }},
       {"weave-3-2",
        [](const std::string& set) {
-         return weave_row(set, {3, 2});
+         return weave_row(set, {{0, 3}, {1, 2}});
        }},
       {"weave-1-8",
        [](const std::string& set) {
-         return weave_row(set, {1, 8});
+         return weave_row(set, {{3, 1}, {0, 8}});
        }},
       {"weave-7-7",
        [](const std::string& set) {
-         return weave_row(set, {7, 7});
+         return weave_row(set, {{0, 7}, {0, 7}});
        }},
-      {"weave-4-4-4",
+      {"weave-1-4-4",
        [](const std::string& set) {
-         return weave_row(set, {4, 4, 4});
+         return weave_row(set, {{1, 1}, {0, 4}, {0, 4}});
        }},
       {"weave-9-ary",
-       [](const std::string& set) { return weave_row(set, std::vector<int>(9, 5)); }},
+       [](const std::string& set) {
+         std::vector<std::pair<Index, int>> phases(9, {0, 6});
+         phases[0] = {2, 1};
+         return weave_row(set, phases);
+       }},
       {"refine-four-parameter",
        [](const std::string& set) { return refine_grid(set, "gentle", 3); }},
       {"refine-cubic",

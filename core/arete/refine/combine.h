@@ -9,7 +9,7 @@ namespace arete {
 /// by the best kernel of this machine; the same bits on all (see Kernels).
 template <class T>
 void combine(T* out, const T* const* lines, const T* weights, int taps, Index count) {
-  kernels<T>().combine(out, lines, 0, weights, taps, count);
+  kernels<T>().combine(out, lines, weights, taps, count);
 }
 
 }  // namespace arete

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace arete {
 namespace {
@@ -16,9 +17,10 @@ namespace {
 // and each line would be read from memory before it is overwritten.
 constexpr double cache_bytes = 4e6;
 
-// A strip of the last level and the rows it is made of stay in the first two caches.
-constexpr Index strip_columns = 1408;
-constexpr Index widest_strip = 2112;
+// The rows that a strip of the last level is made of stay in the second cache; narrower strips
+// spend more on the beginnings of rows than the first cache gives back.
+constexpr Index strip_columns = 4096;
+constexpr Index widest_strip = 6144;
 
 // A part is tall enough that the halo recomputed at its start costs little, but its input is small.
 constexpr Index least_part_rows = 256;
@@ -46,11 +48,12 @@ AxisPlan padded(AxisPlan plan, const AxisPlan& other) {
   return plan;
 }
 
-std::vector<IndexRange> strips_of(Index columns) {
+std::vector<IndexRange> strips_of(Index columns, Index arity) {
   if (columns <= widest_strip) return {{0, columns - 1}};
   const Index count = (columns + strip_columns / 2) / strip_columns;
-  // Multiples of 16, so that strips begin on cache lines where rows do.
-  const Index width = ((columns + count - 1) / count + 15) / 16 * 16;
+  // Strips begin on cache lines where rows do, and with the first phase of the last level.
+  const Index whole = std::lcm(Index{16}, arity);
+  const Index width = ((columns + count - 1) / count + whole - 1) / whole * whole;
   std::vector<IndexRange> strips;
   for (Index first = 0; first < columns; first += width)
     strips.push_back({first, std::min(first + width, columns) - 1});
@@ -74,7 +77,7 @@ Refiner<T>::Refiner(AxisPlan x, AxisPlan y, int threads, const std::optional<Det
       rules_{phased<T>(x_), phased<T>(y_)},
       x_cells_(x_),
       y_cells_(y_),
-      strips_(strips_of(x_.output_count())) {
+      strips_(strips_of(x_.output_count(), rules_.x.empty() ? 1 : rules_.x.back().arity)) {
   if (!detail) return;
   // Made in any case, because it checks its numbers.
   auto displacement = std::make_shared<const Displacement<T>>(*detail, x_, y_);
@@ -189,8 +192,8 @@ template <class T>
 void Refiner<T>::for_each_tile(const RowSource<T>& source, IndexRange rows,
                                const TakeTile<T>& take) const {
   check(source, rows);
-  // A tile takes a small share of the second-level cache.
-  constexpr double tile_bytes = 256e3;
+  // A tile stays in the first cache.
+  constexpr double tile_bytes = 32e3;
   const Index stride = Workspace<T>::stride(strips_.front().count(), 0);
   const auto height =
       std::clamp(static_cast<Index>(tile_bytes / static_cast<double>(stride) / sizeof(T)), Index{1},

@@ -47,11 +47,12 @@ class RowPipe {
   void next(T* out, bool stream = false, T* upcoming = nullptr);
 
  private:
-  /// A strand of some line, which begins so many samples after the line does.
-  struct Placed {
-    Index offset = 0;
-    const T* weights = nullptr;
-    int taps = 0;
+  /// The filter of a row from some column on.
+  struct Weaver {
+    std::vector<Strand<T>> strands;
+    /// For each phase of the rows: null where the vertical filter must be done beforehand.
+    std::vector<Weave<T>> weaves;
+    Weave<T> plain = nullptr;  ///< for a row that has been filtered vertically
   };
   /// The rows of one level that later rows may still need.
   struct Ring {
@@ -60,24 +61,25 @@ class RowPipe {
     Index stride = 0;
     Index width = 0;     ///< columns.count(), made full vectors
     Index next_row = 0;  ///< not yet computed
+    // Of the next level's next row.
+    Index quotient = 0;
+    std::size_t phase = 0;
     T* samples = nullptr;
-    std::vector<Placed> strands;  ///< for the first column of the next level
-    Index turns = 0;              ///< of the next level's rows, made full vectors
+    Weaver weaver;    ///< from the first column of the next level on
+    Index count = 0;  ///< samples of the next level's rows, made whole vectors of turns
 
     [[nodiscard]] T* row(Index r) const { return samples + (r & (height - 1)) * stride; }
   };
-  /// A result row in three: up to the first cache line, whole turns, and the rest.
+  /// A result row in two: up to the first cache line, and the rest.
   struct Cut {
-    Index turns = -1;  ///< not cut yet
-    Index tail = 0;
-    std::vector<Placed> head_strands, strands, tail_strands;
+    bool made = false;
+    Weaver before, after;
   };
-  /// A row of a level after the vertical filter: `sums` belongs to column `first`.
-  struct Vertical {
-    const T* weights = nullptr;
-    int taps = 0;
-    T* sums = nullptr;
-    const T* line = nullptr;  ///< the sums, or the row itself where the stencil is a plain 1
+  /// What a row of the next level is made of.
+  struct Opened {
+    std::size_t phase = 0;
+    Warp<T> warp;
+    Warp<T> sums;  ///< the warp filtered vertically, once that has been needed
   };
 
   [[nodiscard]] bool displaced(std::size_t level) const {
@@ -85,14 +87,13 @@ class RowPipe {
   }
   void advance(std::size_t level, Index row);
   void compute_row(std::size_t level, Index row, T* out);
-  void open_vertical(std::size_t level, Index row, Vertical& vertical);
-  void combine_columns(const Vertical& vertical, Index first, Index count);
-  [[nodiscard]] std::vector<Placed> strands_at(std::size_t level, Index column) const;
-  void put_on(const std::vector<Placed>& strands, const T* line);
-  void emit(std::size_t level, const T* line, T* out, bool stream, const Vertical* ahead);
-  [[nodiscard]] const Cut& cut_at(std::size_t level, Index head);
-  void emit_edge(const std::vector<Placed>& strands, const T* line, Index count, T* out);
+  void emit(std::size_t level, T* out, bool stream);
   void emit_line(const T* line, T* out, bool stream);
+  [[nodiscard]] Opened open_row(std::size_t level);
+  void weave(std::size_t level, const Weaver& weaver, Opened& opened, T* out, Index count,
+             bool stream);
+  [[nodiscard]] Weaver weaver_at(std::size_t level, Index column) const;
+  [[nodiscard]] const Cut& cut_at(std::size_t level, Index head);
 
   const PipeRules<T>& rules_;
   const InputWindow<T>& input_;
@@ -102,17 +103,10 @@ class RowPipe {
   std::vector<Ring> rings_;  ///< levels 0..depth-1
   IndexRange result_columns_;
   Index next_result_;
-  Index last_result_;
-  // Never copied: a copy of words just written would wait for the streamed stores before them.
-  Vertical lower_;            ///< of the levels before the last
-  Vertical last_[2];          ///< of the last level: a row's and the next one's, in turn
-  int turn_ = 0;              ///< which of them belongs to the next result row
-  bool ahead_ = false;        ///< whether it is made already
+  T* sums_ = nullptr;         ///< a row filtered vertically, where that is done beforehand
   T* result_line_ = nullptr;  ///< a result row on its way through a displacement
   std::vector<const T*> lines_;
-  std::vector<Strand<T>> strands_;  ///< on the line at hand
-  std::vector<Cut> cuts_;           ///< by the samples before the first cache line
-  std::vector<T> edge_;             ///< turns at the ends of a row
+  std::vector<Cut> cuts_;  ///< by the samples before the first cache line
   std::vector<T> relief_line_;
 };
 

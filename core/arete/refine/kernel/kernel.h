@@ -8,11 +8,20 @@
 
 namespace arete {
 
-/// One phase of a horizontal filter: sample t is the sum of weights[j] line[t + j], j < taps, taken
-/// from left to right.
+/// One phase of a horizontal filter: sample t of a line v is turned into the sum of
+/// weights[j] v[offset + t + j], j < taps, taken from left to right.
 template <class T>
 struct Strand {
-  const T* line = nullptr;
+  Index offset = 0;
+  const T* weights = nullptr;
+  int taps = 0;
+};
+
+/// A row before the horizontal filter: v[c] = weights[0] lines[0][c] + ... + weights[taps - 1]
+/// lines[taps - 1][c], taken from left to right; for taps = 0 simply lines[0].
+template <class T>
+struct Warp {
+  const T* const* lines = nullptr;
   const T* weights = nullptr;
   int taps = 0;
 };
@@ -21,21 +30,28 @@ struct Strand {
 /// any result, but must be there and be numbers (zeros; stale memory holds denormals, which cost).
 inline constexpr Index kernel_slack = 32;
 
+/// A row of a level, filtered vertically, then horizontally, with every phase in its place: sample
+/// arity t + i of `out` is strand i of the warp at t. Writes `count` samples and nothing else;
+/// reads up to kernel_slack samples behind the last one it needs of every line. With `stream` (for
+/// results larger than the cache; `out` must then be aligned to 64 bytes) whole cache lines go past
+/// the cache.
+template <class T>
+using Weave = void (*)(T* out, const Warp<T>& warp, const Strand<T>* strands, int arity,
+                       Index count, bool stream);
+
 /// The inner loops of the engine for one instruction set. Every sum is taken from left to right and
 /// nothing is contracted to fused operations, so all sets give the same bits as the plain
 /// references below.
 template <class T>
 struct Kernels {
-  /// A vertical filter: out[c] = weights[0] lines[0][first + c] + weights[1] lines[1][first + c] +
-  /// ... for c < count; 0 for no taps. Writes nothing else. `out` must not overlap the lines.
-  void (*combine)(T* out, const T* const* lines, Index first, const T* weights, int taps,
-                  Index count);
+  /// A vertical filter: out[c] = weights[0] lines[0][c] + weights[1] lines[1][c] + ... for
+  /// c < count; 0 for no taps. Writes nothing else. `out` must not overlap the lines.
+  void (*combine)(T* out, const T* const* lines, const T* weights, int taps, Index count);
 
-  /// A horizontal filter, every phase in its place: out[arity t + i] = strand i at t, for t < turns
-  /// and i < arity.
-  /// Reads up to kernel_slack samples behind every line. With `stream` (for results larger than the
-  /// cache; `out` must then be aligned to 64 bytes) whole cache lines go past the cache.
-  void (*weave)(T* out, const Strand<T>* strands, int arity, Index turns, bool stream);
+  /// The fastest Weave for warps of so many taps and these strands; its result depends on the taps
+  /// and offsets alone, and holds for every offset that is shifted with all others. Null if there
+  /// is none for such a warp; there is always one for 0 taps (see shapes).
+  Weave<T> (*weave_for)(int warp_taps, const Strand<T>* strands, int arity);
 
   /// Whether all samples are finite.
   bool (*all_finite)(const T* samples, Index count);
@@ -66,14 +82,13 @@ void combine_reference(T* out, const T* const* lines, const T* weights, int taps
 }
 
 template <class T>
-void weave_reference(T* out, const Strand<T>* strands, int arity, Index turns) {
-  for (Index t = 0; t < turns; ++t) {
-    for (int i = 0; i < arity; ++i) {
-      const Strand<T>& strand = strands[i];
-      T sum = strand.taps > 0 ? strand.weights[0] * strand.line[t] : T(0);
-      for (int j = 1; j < strand.taps; ++j) sum = sum + strand.weights[j] * strand.line[t + j];
-      out[arity * t + i] = sum;
-    }
+void weave_reference(T* out, const T* line, const Strand<T>* strands, int arity, Index count) {
+  for (Index k = 0; k < count; ++k) {
+    const Strand<T>& strand = strands[k % arity];
+    const T* from = line + strand.offset + k / arity;
+    T sum = strand.taps > 0 ? strand.weights[0] * from[0] : T(0);
+    for (int j = 1; j < strand.taps; ++j) sum = sum + strand.weights[j] * from[j];
+    out[k] = sum;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "arete/refine/kernel/kernel.h"
+#include "arete/refine/kernel/shape.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -83,19 +84,18 @@ void combine_fixed(T* __restrict out, const T* const* lines, const T* weights, i
 constexpr int most_taps = 64;
 
 template <class T, int Taps>
-void combine_with(T* out, const T* const* lines, Index first, const T* weights, int taps,
-                  Index count) {
+void combine_with(T* out, const T* const* lines, const T* weights, int taps, Index count) {
   // Copies that cannot alias `out`, so that they stay in registers.
   const T* line[Taps > 0 ? Taps : most_taps];
   T weight[Taps > 0 ? Taps : 1];
   if constexpr (Taps == 0) {
-    for (int j = 0; j < taps && j < most_taps; ++j) line[j] = lines[j] + first;
+    for (int j = 0; j < taps && j < most_taps; ++j) line[j] = lines[j];
     combine_fixed<T, 0>(out, line, weights, taps < most_taps ? taps : most_taps, count);
     for (int j = most_taps; j < taps; ++j)
-      for (Index c = 0; c < count; ++c) out[c] = out[c] + weights[j] * lines[j][first + c];
+      for (Index c = 0; c < count; ++c) out[c] = out[c] + weights[j] * lines[j][c];
   } else {
     for (int j = 0; j < Taps; ++j) {
-      line[j] = lines[j] + first;
+      line[j] = lines[j];
       weight[j] = weights[j];
     }
     combine_fixed<T, Taps>(out, line, weight, Taps, count);
@@ -103,24 +103,24 @@ void combine_with(T* out, const T* const* lines, Index first, const T* weights, 
 }
 
 template <class T>
-void combine(T* out, const T* const* lines, Index first, const T* weights, int taps, Index count) {
+void combine(T* out, const T* const* lines, const T* weights, int taps, Index count) {
   switch (taps) {
     case 1:
-      return combine_with<T, 1>(out, lines, first, weights, taps, count);
+      return combine_with<T, 1>(out, lines, weights, taps, count);
     case 2:
-      return combine_with<T, 2>(out, lines, first, weights, taps, count);
+      return combine_with<T, 2>(out, lines, weights, taps, count);
     case 3:
-      return combine_with<T, 3>(out, lines, first, weights, taps, count);
+      return combine_with<T, 3>(out, lines, weights, taps, count);
     case 4:
-      return combine_with<T, 4>(out, lines, first, weights, taps, count);
+      return combine_with<T, 4>(out, lines, weights, taps, count);
     case 5:
-      return combine_with<T, 5>(out, lines, first, weights, taps, count);
+      return combine_with<T, 5>(out, lines, weights, taps, count);
     case 6:
-      return combine_with<T, 6>(out, lines, first, weights, taps, count);
+      return combine_with<T, 6>(out, lines, weights, taps, count);
     case 8:
-      return combine_with<T, 8>(out, lines, first, weights, taps, count);
+      return combine_with<T, 8>(out, lines, weights, taps, count);
     default:
-      return combine_with<T, 0>(out, lines, first, weights, taps, count);
+      return combine_with<T, 0>(out, lines, weights, taps, count);
   }
 }
 
@@ -194,156 +194,246 @@ template <class T, int Arity>
   }
 }
 
+// A block is one vector of turns: `block(woven)` makes its Arity vectors; blocks come in order.
+template <class T, int Arity, class Block>
+[[gnu::always_inline]] inline void weave_blocks(T* out, Index count, bool stream, Block&& block) {
+  constexpr int lanes = V<T>::lanes;
+  constexpr Index whole = Arity * lanes;
+  if (stream) {
+    for (; count >= whole; count -= whole, out += whole) {
+      Vec<T> woven[Arity];
+      block(woven);
+#pragma GCC unroll 9
+      for (int k = 0; k < Arity; ++k) V<T>::stream(out + k * lanes, woven[k]);
+    }
+  } else {
+    for (; count >= whole; count -= whole, out += whole) {
+      Vec<T> woven[Arity];
+      block(woven);
+#pragma GCC unroll 9
+      for (int k = 0; k < Arity; ++k) V<T>::store(out + k * lanes, woven[k]);
+    }
+  }
+  if (count > 0) {
+    Vec<T> woven[Arity];
+    block(woven);
+    int k = 0;
+    // Full vectors go the same way: an ordinary store would wait for its line to be read.
+    for (; stream && count >= lanes; ++k, count -= lanes) V<T>::stream(out + k * lanes, woven[k]);
+    __builtin_memcpy(out + k * lanes, woven + k, static_cast<std::size_t>(count) * sizeof(T));
+  }
+}
+
+// Elements Shift, Shift + 1, ... of two vectors one after the other.
+template <int Shift>
+struct Shifted {
+  static constexpr int at(int i, int) { return Shift + i; }
+};
+
+// Whether lines are shifted in registers, which saves little where vectors seldom lie across two
+// cache lines (measured: 10-40 % slower for 16 and 32 bytes, 30-40 % faster for 64).
+constexpr bool shifts_in_registers = ARETE_KERNEL_BYTES == 64;
+
+// Sample t + Place of a line whose vectors from t on are held.
+template <class T, std::size_t Place>
+[[gnu::always_inline]] inline Vec<T> window_at(const Vec<T>* held) {
+  constexpr std::size_t lanes = static_cast<std::size_t>(V<T>::lanes);
+  constexpr int shift = static_cast<int>(Place % lanes);
+  if constexpr (shift == 0)
+    return held[Place / lanes];
+  else
+    return pick<T, Shifted<shift>>(held[Place / lanes], held[Place / lanes + 1]);
+}
+template <class T, std::size_t Place>
+[[gnu::always_inline]] inline Vec<T> window_at(const T* line) {
+  return V<T>::load(line + Place);
+}
+
+template <class T, std::size_t... Later>
+[[gnu::always_inline]] inline Vec<T> sum_in(const Vec<T>* window, const Vec<T>* weights,
+                                            std::index_sequence<Later...>) {
+  Vec<T> sum = weights[0] * window[0];
+  ((sum = sum + weights[Later + 1] * window[Later + 1]), ...);
+  return sum;
+}
+
+// `line` is one of what window_at takes.
+template <class T, const Shape& shape, class Line, std::size_t... Phase, std::size_t... Place>
+[[gnu::always_inline]] inline void weave_window(const Line* line,
+                                                const Vec<T> (*weights)[shape.window()],
+                                                Vec<T>* woven, std::index_sequence<Phase...>,
+                                                std::index_sequence<Place...>) {
+  const Vec<T> window[] = {window_at<T, Place>(line)...};
+  const Vec<T> sums[] = {sum_in<T>(window + shape.first[Phase], weights[Phase],
+                                   std::make_index_sequence<shape.taps[Phase] - 1>{})...};
+  weave_vectors<T, shape.arity>(sums, woven);
+}
+
+// Strands of a known shape. What several of them read is loaded once, and where shifts are cheap,
+// all is done in registers: whatever reads memory that has just been written may wait for the
+// streamed stores before it, and vectors that lie across two cache lines cost two loads.
+template <class T, std::size_t Number, int WarpTaps>
+void weave_shape(T* __restrict out, const Warp<T>& warp, const Strand<T>* strands, int, Index count,
+                 bool stream) {
+  constexpr const Shape& shape = shapes[Number];
+  constexpr auto arity = static_cast<std::size_t>(shape.arity);
+  constexpr auto window = static_cast<std::size_t>(shape.window());
+  constexpr auto lanes = static_cast<std::size_t>(V<T>::lanes);
+  constexpr std::size_t held_size = (window - 1 + lanes - 1) / lanes + 1;
+  constexpr int lines = WarpTaps > 0 ? WarpTaps : 1;
+  constexpr std::make_index_sequence<arity> phases{};
+  constexpr std::make_index_sequence<window> places{};
+
+  const T* line[lines];
+  Vec<T> line_weights[lines];
+  for (int j = 0; j < lines; ++j) {
+    line[j] = warp.lines[j] + strands[0].offset - shape.first[0];
+    line_weights[j] = V<T>::all(WarpTaps > 0 ? warp.weights[j] : T(1));
+  }
+  Vec<T> weights[arity][window];
+  for (std::size_t i = 0; i < arity; ++i)
+    for (std::size_t j = 0; j < static_cast<std::size_t>(shape.taps[i]); ++j)
+      weights[i][j] = V<T>::all(strands[i].weights[j]);
+
+  Index at = 0;
+  if constexpr (!shifts_in_registers) {
+    static_assert(WarpTaps == 0);
+    weave_blocks<T, shape.arity>(
+        out, count, stream, [&](Vec<T> * woven) __attribute__((always_inline)) {
+          weave_window<T, shape>(line[0] + at, weights, woven, phases, places);
+          at += V<T>::lanes;
+        });
+  } else {
+    const auto next = [&]() __attribute__((always_inline)) {
+      Vec<T> sum = V<T>::load(line[0] + at);
+      if constexpr (WarpTaps > 0) sum = line_weights[0] * sum;
+#pragma GCC unroll 8
+      for (int j = 1; j < lines; ++j) sum = sum + line_weights[j] * V<T>::load(line[j] + at);
+      at += V<T>::lanes;
+      return sum;
+    };
+    Vec<T> held[held_size];
+    for (std::size_t k = 0; k + 1 < held_size; ++k) held[k] = next();
+    weave_blocks<T, shape.arity>(
+        out, count, stream, [&](Vec<T> * woven) __attribute__((always_inline)) {
+          held[held_size - 1] = next();
+          weave_window<T, shape>(held, weights, woven, phases, places);
+          for (std::size_t k = 0; k + 1 < held_size; ++k) held[k] = held[k + 1];
+        });
+  }
+}
+
 template <class T, int Taps>
-[[gnu::always_inline]] inline Vec<T> strand_sum(const Strand<T>& strand, Index t) {
-  const T* line = strand.line + t;
+[[gnu::always_inline]] inline Vec<T> strand_sum(const T* line, const Strand<T>& strand) {
   return sum_of<T, Taps>(
       strand.weights,
       strand.taps, [&](int j) __attribute__((always_inline)) { return V<T>::load(line + j); });
 }
 
 template <class T>
-[[gnu::always_inline]] inline Vec<T> strand_sum_of_any(const Strand<T>& strand, Index t) {
+[[gnu::always_inline]] inline Vec<T> strand_sum_of_any(const T* line, const Strand<T>& strand) {
+  line += strand.offset;
   switch (strand.taps) {
     case 1:
-      return strand_sum<T, 1>(strand, t);
+      return strand_sum<T, 1>(line, strand);
     case 2:
-      return strand_sum<T, 2>(strand, t);
+      return strand_sum<T, 2>(line, strand);
     case 3:
-      return strand_sum<T, 3>(strand, t);
+      return strand_sum<T, 3>(line, strand);
     case 4:
-      return strand_sum<T, 4>(strand, t);
+      return strand_sum<T, 4>(line, strand);
     case 5:
-      return strand_sum<T, 5>(strand, t);
+      return strand_sum<T, 5>(line, strand);
     case 6:
-      return strand_sum<T, 6>(strand, t);
+      return strand_sum<T, 6>(line, strand);
     default:
-      return strand_sum<T, 0>(strand, t);
+      return strand_sum<T, 0>(line, strand);
   }
-}
-
-// A block is one vector of turns: `block(t, out)` makes its Arity vectors.
-template <class T, int Arity, class Block>
-[[gnu::always_inline]] inline void weave_blocks(T* out, Index turns, bool stream, Block&& block) {
-  constexpr int lanes = V<T>::lanes;
-  Vec<T> woven[Arity];
-  Index t = 0;
-  if (stream) {
-    for (; t + lanes <= turns; t += lanes, out += Arity * lanes) {
-      block(t, woven);
-#pragma GCC unroll 9
-      for (int k = 0; k < Arity; ++k) V<T>::stream(out + k * lanes, woven[k]);
-    }
-  } else {
-    for (; t + lanes <= turns; t += lanes, out += Arity * lanes) {
-      block(t, woven);
-#pragma GCC unroll 9
-      for (int k = 0; k < Arity; ++k) V<T>::store(out + k * lanes, woven[k]);
-    }
-  }
-  if (t < turns) {
-    block(t, woven);
-    Index rest = (turns - t) * Arity;
-    int k = 0;
-    // Full vectors go the same way: an ordinary store would wait for its line to be read.
-    for (; stream && rest >= lanes; ++k, rest -= lanes) V<T>::stream(out + k * lanes, woven[k]);
-    __builtin_memcpy(out + k * lanes, woven + k, static_cast<std::size_t>(rest) * sizeof(T));
-  }
-}
-
-// Two phases with fixed taps: the binary schemes of the catalogue.
-template <class T, int A, int B>
-void weave_pair(T* __restrict out, const Strand<T>* strands, Index turns, bool stream) {
-  T weights_a[A], weights_b[B];
-  for (int j = 0; j < A; ++j) weights_a[j] = strands[0].weights[j];
-  for (int j = 0; j < B; ++j) weights_b[j] = strands[1].weights[j];
-  const Strand<T> a{strands[0].line, weights_a, A};
-  const Strand<T> b{strands[1].line, weights_b, B};
-  weave_blocks<T, 2>(
-      out, turns, stream, [&](Index t, Vec<T> * woven) __attribute__((always_inline)) {
-        weave_two<T>(strand_sum<T, A>(a, t), strand_sum<T, B>(b, t), woven);
-      });
 }
 
 template <class T, int Arity>
-void weave_some(T* __restrict out, const Strand<T>* strands, Index turns, bool stream) {
+void weave_some(T* __restrict out, const Warp<T>& warp, const Strand<T>* strands, int, Index count,
+                bool stream) {
+  const T* line = warp.lines[0];
   weave_blocks<T, Arity>(
-      out, turns, stream, [&](Index t, Vec<T> * woven) __attribute__((always_inline)) {
+      out, count, stream, [&](Vec<T> * woven) __attribute__((always_inline)) {
         Vec<T> phases[Arity];
 #pragma GCC unroll 9
-        for (int i = 0; i < Arity; ++i) phases[i] = strand_sum_of_any<T>(strands[i], t);
+        for (int i = 0; i < Arity; ++i) phases[i] = strand_sum_of_any<T>(line, strands[i]);
         weave_vectors<T, Arity>(phases, woven);
+        line += V<T>::lanes;
       });
 }
 
 template <class T>
-void weave_any(T* __restrict out, const Strand<T>* strands, int arity, Index turns) {
+void weave_any(T* __restrict out, const Warp<T>& warp, const Strand<T>* strands, int arity,
+               Index count, bool) {
   constexpr int lanes = V<T>::lanes;
   for (int i = 0; i < arity; ++i) {
-    for (Index t = 0; t < turns; t += lanes) {
-      const Vec<T> sum = strand_sum_of_any<T>(strands[i], t);
-      const Index count = turns - t < lanes ? turns - t : lanes;
-      for (Index k = 0; k < count; ++k) out[arity * (t + k) + i] = sum[k];
+    for (Index t = 0; arity * t + i < count; t += lanes) {
+      const Vec<T> sum = strand_sum_of_any<T>(warp.lines[0] + t, strands[i]);
+      for (Index k = 0; k < lanes && arity * (t + k) + i < count; ++k)
+        out[arity * (t + k) + i] = sum[k];
     }
   }
 }
 
-template <class T, int A>
-void weave_from(T* out, const Strand<T>* strands, Index turns, bool stream) {
-  switch (strands[1].taps) {
-    case 1:
-      return weave_pair<T, A, 1>(out, strands, turns, stream);
-    case 2:
-      return weave_pair<T, A, 2>(out, strands, turns, stream);
-    case 3:
-      return weave_pair<T, A, 3>(out, strands, turns, stream);
-    case 4:
-      return weave_pair<T, A, 4>(out, strands, turns, stream);
-    case 6:
-      if constexpr (A == 1) return weave_pair<T, A, 6>(out, strands, turns, stream);
-      break;
-    case 8:
-      if constexpr (A == 1) return weave_pair<T, A, 8>(out, strands, turns, stream);
-      break;
-    default:
-      break;
+template <class T>
+bool has_shape(const Strand<T>* strands, int arity, const Shape& shape) {
+  if (arity != shape.arity) return false;
+  for (int i = 0; i < arity; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    if (strands[i].taps != shape.taps[n] ||
+        strands[i].offset - strands[0].offset != shape.first[n] - shape.first[0])
+      return false;
   }
-  weave_some<T, 2>(out, strands, turns, stream);
+  return true;
+}
+
+// Warps are of the same scheme as the strands, mostly, and so of the taps of one of them.
+template <class T, std::size_t Number, std::size_t... Phase>
+Weave<T> weave_of_shape(int warp_taps, std::index_sequence<Phase...>) {
+  Weave<T> found = warp_taps == 0 ? weave_shape<T, Number, 0> : nullptr;
+  if constexpr (shifts_in_registers)
+    (void)((warp_taps == shapes[Number].taps[Phase]
+                ? (found = weave_shape<T, Number, shapes[Number].taps[Phase]>, true)
+                : false) ||
+           ...);
+  return found;
+}
+
+template <class T, std::size_t... Number>
+Weave<T> weave_of_shapes(int warp_taps, const Strand<T>* strands, int arity,
+                         std::index_sequence<Number...>) {
+  Weave<T> found = nullptr;
+  (void)((has_shape(strands, arity, shapes[Number])
+              ? (found = weave_of_shape<T, Number>(
+                     warp_taps, std::make_index_sequence<shapes[Number].arity>{}),
+                 true)
+              : false) ||
+         ...);
+  return found;
 }
 
 template <class T>
-void weave(T* out, const Strand<T>* strands, int arity, Index turns, bool stream) {
+Weave<T> weave_for(int warp_taps, const Strand<T>* strands, int arity) {
+  if (const Weave<T> found = weave_of_shapes(
+          warp_taps, strands, arity, std::make_index_sequence<sizeof(shapes) / sizeof(Shape)>{}))
+    return found;
+  if (warp_taps > 0) return nullptr;
   switch (arity) {
     case 1:
-      return weave_some<T, 1>(out, strands, turns, stream);
+      return weave_some<T, 1>;
     case 2:
-      switch (strands[0].taps) {
-        case 1:
-          return weave_from<T, 1>(out, strands, turns, stream);
-        case 2:
-          return weave_from<T, 2>(out, strands, turns, stream);
-        case 3:
-          return weave_from<T, 3>(out, strands, turns, stream);
-        case 4:
-          return weave_from<T, 4>(out, strands, turns, stream);
-        case 6:
-          if (strands[1].taps == 1) return weave_pair<T, 6, 1>(out, strands, turns, stream);
-          break;
-        case 8:
-          if (strands[1].taps == 1) return weave_pair<T, 8, 1>(out, strands, turns, stream);
-          break;
-        default:
-          break;
-      }
-      return weave_some<T, 2>(out, strands, turns, stream);
+      return weave_some<T, 2>;
     case 3:
-      return weave_some<T, 3>(out, strands, turns, stream);
+      return weave_some<T, 3>;
     case 4:
-      return weave_some<T, 4>(out, strands, turns, stream);
+      return weave_some<T, 4>;
     case 9:
-      return weave_some<T, 9>(out, strands, turns, stream);
+      return weave_some<T, 9>;
     default:
-      return weave_any<T>(out, strands, arity, turns);
+      return weave_any<T>;
   }
 }
 

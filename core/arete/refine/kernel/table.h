@@ -13,12 +13,12 @@ struct KernelTables {
 };
 
 // The table of the instruction set that the file including this is compiled for.
-#define ARETE_KERNEL_TABLE(set, name)                                                            \
-  template <>                                                                                    \
-  const Kernels<float> KernelTables<float>::set{combine<float>, weave<float>, all_finite<float>, \
-                                                fence, name};                                    \
-  template <>                                                                                    \
-  const Kernels<double> KernelTables<double>::set{combine<double>, weave<double>,                \
+#define ARETE_KERNEL_TABLE(set, name)                                                 \
+  template <>                                                                         \
+  const Kernels<float> KernelTables<float>::set{combine<float>, weave_for<float>,     \
+                                                all_finite<float>, fence, name};      \
+  template <>                                                                         \
+  const Kernels<double> KernelTables<double>::set{combine<double>, weave_for<double>, \
                                                   all_finite<double>, fence, name};
 
 }  // namespace arete
