@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
     return complain(std::string(error.what()) + "; see 'arete" + verb + " --help'", 2);
   }
 #ifdef ARETE_HAVE_GDAL
+  gdal::forbid_programs();
   if (!allow_remote) gdal::forbid_remote_access();
 #endif
   cli::catch_interruptions();

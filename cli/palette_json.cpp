@@ -129,7 +129,7 @@ vtk::Palette palette_from_json(const std::string& text, const std::string& where
   Json json;
   try {
     json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {
     throw Failure("the palette " + where + " is not JSON: " + error.what());
   }
   const Node root(json, where, "");

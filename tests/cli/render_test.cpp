@@ -96,6 +96,7 @@ TEST(cli_render, every_flaw_of_a_palette_is_named_with_its_place) {
   };
   names("", {"not JSON"});
   names("{\"layers\": [", {"not JSON", "line 1"});
+  names("{\"layers\": 1e999}", {"not JSON", "1e999"});
   names("[]", {"the file must be an object"});
   names("{}", {"layers must be a list"});
   names(R"({"layers": []})", {"layers must be a list"});

@@ -63,6 +63,23 @@ TEST(raster, a_file_cut_off_in_the_middle_says_which_row_is_missing) {
   }
 }
 
+TEST(raster, a_block_beyond_the_memory_is_refused_before_gdal_decodes_it) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("claim.tif");
+  gdal::register_formats();
+  const char* options[] = {"SPARSE_OK=TRUE",    "TILED=YES",        "BLOCKXSIZE=400000",
+                           "BLOCKYSIZE=400000", "COMPRESS=DEFLATE", nullptr};
+  GDALClose(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+      path.c_str(), 400000, 400000, 1, GDT_Float64, const_cast<char**>(options)));
+  EXPECT_LT(std::filesystem::file_size(path), 10000u);
+  try {
+    const gdal::Raster raster(path);
+    FAIL() << "taken";
+  } catch (const gdal::RasterError& error) {
+    EXPECT_NE(std::string(error.what()).find("TILED=YES"), std::string::npos) << error.what();
+  }
+}
+
 TEST(raster, nodata_masks_and_alpha_come_as_missing_samples) {
   const test::TemporaryFolder folder;
   const auto height = [](int, Index r, Index c) {

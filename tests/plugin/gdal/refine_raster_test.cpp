@@ -224,6 +224,24 @@ TEST(refine_raster, one_sample_one_row_and_one_column_are_ordinary_inputs) {
   }
 }
 
+TEST(refine_raster, two_hundred_bands_are_refined_each_by_itself) {
+  const test::TemporaryFolder folder;
+  test::RasterSpec spec;
+  spec.extent = {5, 6};
+  spec.bands = 200;
+  const auto height = [](int band, Index r, Index c) { return 1000.0 * band + 4 * r + 8 * c; };
+  test::make_raster(folder.file("in.tif"), spec, height);
+  refine_file(folder.file("in.tif"), folder.file("out.tif"), "four-point", levels(1));
+  const Raster fine(folder.file("out.tif"));
+  ASSERT_EQ(fine.bands().size(), 200u);
+  for (const gdal::BandInfo& band : fine.bands()) {
+    const Grid<double> heights = gdal::read_band<double>(fine, band);
+    for (Index r = 0; r < heights.rows(); ++r)
+      for (Index c = 0; c < heights.cols(); ++c)
+        ASSERT_NEAR(heights(r, c), 1000.0 * band.number + 2 * r + 4 * c, 0.1) << band.number;
+  }
+}
+
 TEST(refine_raster, memory_does_not_grow_with_the_height_of_the_raster) {
   // Peak resident memory of this process, before and after a raster three times as tall.
   const auto peak = [] {

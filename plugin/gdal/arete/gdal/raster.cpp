@@ -7,6 +7,7 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
 #include <mutex>
 
 #include "arete/gdal/reference_system.h"
@@ -54,6 +55,7 @@ Raster::Raster(const std::string& path) : path_(path) {
   }
   extent_ = {dataset_->GetRasterYSize(), dataset_->GetRasterXSize()};
   read_bands();
+  check_claims();
   read_reference();
   metadata_ = to_metadata(dataset_->GetMetadata());
 }
@@ -105,6 +107,30 @@ void Raster::read_bands() {
                     (subdataset != nullptr
                          ? "; name one of its subdatasets, e.g. " + std::string(subdataset)
                          : "; give a raster with heights"));
+}
+
+void Raster::check_claims() {
+  for (int number = 1; number <= dataset_->GetRasterCount(); ++number) {
+    GDALRasterBand* band = dataset_->GetRasterBand(number);
+    int width = 0, height = 0;
+    band->GetBlockSize(&width, &height);
+    const double bytes =
+        static_cast<double>(width) * height * GDALGetDataTypeSizeBytes(band->GetRasterDataType());
+    block_bytes_ = std::max(block_bytes_, bytes);
+  }
+  // A few rows of doubles are the least that anything done with a raster holds.
+  const double rows = 4.0 * sizeof(double) * static_cast<double>(extent_.cols);
+  const double allowed = 0.5 * static_cast<double>(CPLGetUsablePhysicalRAM());
+  const auto refuse = [&](const std::string& what, double bytes, const std::string& remedy) {
+    if (allowed > 0 && bytes > allowed)
+      throw RasterError(path_ + " (" + std::to_string(extent_.cols) + " x " +
+                        std::to_string(extent_.rows) + ") " + what + " " +
+                        std::to_string(static_cast<long long>(bytes / 1e6)) +
+                        " MB, more than half of this machine's memory; " + remedy);
+  };
+  refuse("has rows of which four take", rows, "cut out a part with gdal_translate -srcwin");
+  refuse("is stored in blocks that take", block_bytes_,
+         "rewrite it with gdal_translate -co TILED=YES");
 }
 
 void Raster::read_reference() {

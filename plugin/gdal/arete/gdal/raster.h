@@ -43,8 +43,9 @@ struct ControlPoint {
 /// as data: they are not among bands().
 class Raster {
  public:
-  /// \throws RasterError if the file is missing or unreadable, not a raster, without data bands, or
-  /// holds complex numbers or palette indices.
+  /// \throws RasterError if the file is missing or unreadable, not a raster, without data bands,
+  /// holds complex numbers or palette indices, or claims rows or blocks that take more than half of
+  /// the machine's memory.
   explicit Raster(const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -63,6 +64,9 @@ class Raster {
   [[nodiscard]] const std::vector<ControlPoint>& control_points() const { return control_points_; }
   [[nodiscard]] const std::string& control_point_crs() const { return control_point_crs_; }
 
+  /// Bytes of its largest block: GDAL decodes all of it for any one sample.
+  [[nodiscard]] double block_bytes() const { return block_bytes_; }
+
   /// Whether samples of the band can be missing.
   [[nodiscard]] static bool has_holes(const BandInfo& band) {
     return band.masked || band.floating || band.alpha_band != 0;
@@ -74,6 +78,7 @@ class Raster {
  private:
   void read_reference();
   void read_bands();
+  void check_claims();
 
   struct Close {
     void operator()(GDALDataset* dataset) const;
@@ -83,6 +88,7 @@ class Raster {
   std::unique_ptr<GDALDataset, Close> dataset_;
   Extent extent_;
   std::vector<BandInfo> bands_;
+  double block_bytes_ = 0;
   std::optional<Georeference> georeference_;
   std::string crs_;
   bool geographic_ = false;

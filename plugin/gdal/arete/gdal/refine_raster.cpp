@@ -86,7 +86,7 @@ RasterReport refine_as(const Raster& input, const std::string& output, const Sch
   const GeoTiffSpec spec = refined_spec(input, refiner.x(), refiner.y(), form, options.threads);
 
   const double row_bytes = static_cast<double>(refiner.output().cols) * sizeof(T);
-  double working = refiner.working_bytes(256);
+  double working = refiner.working_bytes(256) + input.block_bytes();
   if (form.interpolate) {
     const BandSource<T> samples(input, input.bands().front());
     working +=
