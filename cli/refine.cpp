@@ -45,6 +45,7 @@ struct RefineArguments {
   std::string type;
   std::vector<std::string> creation_options;
   int band = 1;
+  std::optional<Index> most_triangles;
   bool limit = false;
   std::optional<double> roughness;
   std::optional<double> relief;
@@ -127,6 +128,9 @@ void refine_mesh(const RefineArguments& arguments) {
   if (arguments.roughness || arguments.relief || arguments.seed)
     throw Misuse("--detail is for rasters; a mesh has no heights to displace");
   if (arguments.band != 1) throw Misuse("--band is for rasters; a mesh has no bands");
+  if (arguments.most_triangles)
+    throw Misuse(
+        "--max-triangles is for meshes made of rasters; a refined mesh keeps all its quads");
   if (arguments.interpolate) throw Misuse("--interpolate is for rasters; leave it out for a mesh");
   MeshJob job{arguments.input, arguments.output, read_scheme(arguments.scheme),
               read_scheme(arguments.scheme_y.empty() ? arguments.scheme : arguments.scheme_y)};
@@ -166,8 +170,42 @@ void report_detail(const Detail& detail, const DetailStatistics& statistics) {
   std::cout << line.str() << '\n';
 }
 
-void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
-            const gdal::RasterReport& done, const DetailStatistics& statistics, double seconds) {
+// What was made of a raster.
+struct Done {
+  gdal::RasterReport raster;
+  DetailStatistics detail;
+#ifdef ARETE_HAVE_OPENMESH
+  std::optional<RasterMesh> mesh;
+#endif
+};
+
+#ifdef ARETE_HAVE_OPENMESH
+Json mesh_json(const RasterMesh& mesh) {
+  return {{"vertices", mesh.vertices},
+          {"quads", mesh.quads},
+          {"triangles", mesh.triangles},
+          {"largest_error", number_or_null(mesh.largest_error)},
+          {"left_out", mesh.left_out}};
+}
+
+void report_mesh(const RasterMesh& mesh) {
+  std::ostringstream line;
+  line << "mesh: " << mesh.vertices << " vertices, ";
+  if (mesh.triangles == 0)
+    line << mesh.quads << " quads";
+  else
+    line << mesh.triangles << " triangles, at most " << std::setprecision(3) << mesh.largest_error
+         << " (in units of the heights) from a refined sample";
+  if (mesh.left_out > 0)
+    line << "; " << mesh.left_out << " valid samples beside missing ones are in no triangle";
+  std::cout << line.str() << '\n';
+}
+#endif
+
+void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y, const Done& all,
+            double seconds) {
+  const gdal::RasterReport& done = all.raster;
+  const DetailStatistics& statistics = all.detail;
   const double samples =
       static_cast<double>(done.output.rows) * static_cast<double>(done.output.cols) * done.bands;
   const double speed = seconds > 0 ? samples / seconds : 0;
@@ -185,6 +223,9 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
     if (const auto detail = detail_from(arguments))
       object["detail"] = detail_json(*detail, statistics);
     object["misplacement"] = {{"x", done.misplacement_x}, {"y", done.misplacement_y}};
+#ifdef ARETE_HAVE_OPENMESH
+    if (all.mesh) object["mesh"] = mesh_json(*all.mesh);
+#endif
     std::cout << object.dump(2) << '\n';
     return;
   }
@@ -198,6 +239,9 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y,
        << std::setprecision(2) << ", " << seconds << " s, " << std::setprecision(1) << speed / 1e6
        << " M samples/s";
   std::cout << line.str() << '\n';
+#ifdef ARETE_HAVE_OPENMESH
+  if (all.mesh) report_mesh(*all.mesh);
+#endif
   if (const auto detail = detail_from(arguments)) report_detail(*detail, statistics);
   if (done.misplacement_x != 0 || done.misplacement_y != 0)
     std::cout << "note: this scheme's samples do not fall on the cell centres asked for; they are "
@@ -225,13 +269,15 @@ void refine(const RefineArguments& arguments) {
 
   if (arguments.interpolate && is_mesh_form(form))
     throw Misuse("--interpolate is for rasters and VTK files; write a .tif, .vti, .vts or .vtp");
+  if (arguments.most_triangles && !is_mesh_form(form))
+    throw Misuse("--max-triangles is for meshes; write a .obj, .ply, .off or .stl");
   std::optional<gdal::LimitWeights> interpolate;
   if (arguments.interpolate) interpolate = {cardinal_stencil(x), cardinal_stencil(y)};
 
   const gdal::Raster input(arguments.input);
   OutputFile output(arguments.output, arguments.input, arguments.overwrite);
   const auto start = std::chrono::steady_clock::now();
-  gdal::RasterReport done;
+  Done done;
   {
     ProgressBar progress("refining");
     if (form == ".tif") {
@@ -240,32 +286,32 @@ void refine(const RefineArguments& arguments) {
                  static_cast<double>(size.output().rows) * static_cast<double>(size.output().cols) *
                      static_cast<double>(input.bands().size()) *
                      (type == gdal::SampleType::float64 ? 8 : 4));
-      done = gdal::refine_raster(input, output.temporary().string(), x, y, options,
-                                 {type, arguments.creation_options, memory, interpolate},
-                                 [&](double share) { progress.show(share); });
+      done.raster = gdal::refine_raster(input, output.temporary().string(), x, y, options,
+                                        {type, arguments.creation_options, memory, interpolate},
+                                        [&](double share) { progress.show(share); });
     }
 #ifdef ARETE_HAVE_OPENMESH
     else if (is_mesh_form(form)) {
-      done = refine_to_mesh(input, arguments.band, output.temporary(), form.substr(1), x, y,
-                            options, type, memory, progress);
+      done.mesh = refine_to_mesh(input, arguments.band, output.temporary(), form.substr(1), x, y,
+                                 options, type, arguments.most_triangles, memory, progress);
+      done.raster = done.mesh->raster;
     }
 #endif
 #ifdef ARETE_HAVE_VTK
     else {
-      done = refine_to_surface(input, arguments.band, output.temporary(), form, x, y, options, type,
-                               memory, interpolate, progress);
+      done.raster = refine_to_surface(input, arguments.band, output.temporary(), form, x, y,
+                                      options, type, memory, interpolate, progress);
     }
 #endif
   }
   stop_if_interrupted();
-  DetailStatistics statistics;
   if (options.detail && form == ".tif")
-    statistics = detail_statistics(input, gdal::Raster(output.temporary().string()),
-                                   std::pow(x.mask().arity(), options.levels));
+    done.detail = detail_statistics(input, gdal::Raster(output.temporary().string()),
+                                    std::pow(x.mask().arity(), options.levels));
   output.commit();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report(arguments, x, y, done, statistics, seconds);
+  report(arguments, x, y, done, seconds);
 }
 
 }  // namespace
@@ -322,6 +368,10 @@ void add_refine(CLI::App& program, Job& job) {
       ->take_all();
   verb->add_option("--band", a->band, "Which band holds the heights (VTK and mesh files only)")
       ->capture_default_str();
+  verb->add_option("--max-triangles", a->most_triangles,
+                   "A mesh of a raster: quads while they make no more triangles than this, else so "
+                   "many triangles, placed where the surface needs them")
+      ->check(CLI::Range(Index{2}, Index{1'000'000'000}));
   verb->add_flag("--overwrite", a->overwrite, "Replace OUT if it exists");
   verb->add_flag("--json", a->json, "Print one JSON object about what was done");
   verb->callback([&job, a] { job = [a] { refine(*a); }; });

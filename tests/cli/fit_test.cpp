@@ -2,16 +2,19 @@
 // arete fit: a complete table beside other methods, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <map>
 
 #include "expect_error.h"
 #include "run_program.h"
+#include "support/temporary_folder.h"
 
 namespace arete {
 namespace {
 
 using test::dem;
 using test::expect_error;
+using test::run_arete;
 using test::run_json;
 
 TEST(cli_fit, the_table_of_real_terrain_is_complete_and_sorted) {
@@ -35,6 +38,49 @@ TEST(cli_fit, the_table_of_real_terrain_is_complete_and_sorted) {
   // Cross-validation may be lucky, but not by much.
   EXPECT_NEAR(report.at("cross_validated_rmse").get<double>(), report.at("rmse").get<double>(),
               0.05);
+}
+
+// Synthetic terrain: refined with known parameters, so that the held-out samples tell them.
+TEST(cli_fit, known_parameters_are_recovered_and_the_scheme_told_can_be_used) {
+  const test::TemporaryFolder folder;
+  const struct {
+    const char* truth;
+    const char* start;
+    const char* parameter;
+    double value;
+    const char* factor;
+  } cases[]{{"four-point:omega=0.05", "four-point", "omega=", 0.05, "2"},
+            {"ternary-four-point:mu=0.08", "ternary-four-point", "mu=", 0.08, "3"}};
+  for (const auto& known : cases) {
+    const std::string truth = folder.file(std::string(known.start) + ".tif");
+    ASSERT_EQ(
+        run_arete({"refine", dem, truth, "--scheme", known.truth, "--type", "float64"}).exit_code,
+        0);
+    const auto report =
+        run_json({"fit", truth, "--scheme", known.start, "--factor", known.factor, "--json"});
+    const std::string scheme = report.at("scheme");
+    const auto at = scheme.find(known.parameter);
+    ASSERT_NE(at, std::string::npos) << scheme;
+    const std::string told = scheme.substr(at + std::strlen(known.parameter));
+    const auto slash = told.find('/');
+    const double value = slash == std::string::npos
+                             ? std::stod(told)
+                             : std::stod(told) / std::stod(told.substr(slash + 1));
+    EXPECT_NEAR(value, known.value, 1e-6);
+    EXPECT_LT(report.at("rmse").get<double>(), 1e-6);
+    EXPECT_LT(report.at("cross_validated_rmse").get<double>(), 1e-6);
+    EXPECT_TRUE(report.at("converged").get<bool>());
+    EXPECT_EQ(report.at("criterion"), "rmse");
+    EXPECT_GT(report.at("held_out").get<int>(), 100000);
+    // What is printed can be pasted into --scheme.
+    EXPECT_EQ(run_arete({"describe", scheme}).exit_code, 0);
+    const std::string again = folder.file("again.tif");
+    EXPECT_EQ(
+        run_arete({"refine", dem, again, "--scheme", scheme, "--type", "float64", "--overwrite"})
+            .exit_code,
+        0);
+    EXPECT_LT(run_json({"compare", truth, again, "--json"}).at("rmse").get<double>(), 1e-4);
+  }
 }
 
 TEST(cli_fit, what_cannot_be_fitted_is_refused) {

@@ -4,12 +4,16 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <map>
+#include <set>
 
 #include "arete/gdal/band_source.h"
 #include "arete/openmesh/mesh_io.h"
 #include "arete/refine/refiner.h"
 #include "arete/topology/orient.h"
 #include "arete/topology/recover.h"
+#include "expect_error.h"
 #include "run_program.h"
 #include "support/schemes.h"
 #include "support/temporary_folder.h"
@@ -20,6 +24,7 @@ namespace {
 
 using openmesh::MeshData;
 using test::dem;
+using test::expect_error;
 using test::run_arete;
 using test::run_json;
 
@@ -232,6 +237,95 @@ TEST(cli_refine_mesh, a_raster_becomes_the_quads_between_its_refined_samples) {
   }
   ASSERT_EQ(run_arete({"refine", dem, folder.file("out.stl"), "--scheme", "gentle"}).exit_code, 0);
   EXPECT_GT(std::filesystem::file_size(folder.file("out.stl")), 50u * 2 * 686 * 804);
+}
+
+// The largest vertical distance of a sample from the triangles, and the samples they hold, by a
+// plain look at every sample of every triangle's bounding box. `full` has every sample as a point,
+// in order.
+std::pair<double, std::size_t> measured_plainly(const MeshData& mesh, const MeshData& full,
+                                                Index cols) {
+  std::map<std::pair<double, double>, Index> sample_at;
+  for (std::size_t i = 0; i < full.points.size(); ++i)
+    sample_at[{full.points[i][0], full.points[i][1]}] = static_cast<Index>(i);
+  double largest = 0;
+  std::set<Index> held;
+  for (int f = 0; f < mesh.faces.count(); ++f) {
+    std::array<double, 3> x{}, y{}, z{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& p = mesh.points[static_cast<std::size_t>(mesh.faces[f][k])];
+      const Index sample = sample_at.at({p[0], p[1]});
+      x[k] = static_cast<double>(sample % cols);
+      y[k] = static_cast<double>(sample / cols);
+      z[k] = p[2];
+    }
+    const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    EXPECT_NE(area, 0);
+    const auto [left, right] = std::minmax({x[0], x[1], x[2]});
+    const auto [top, bottom] = std::minmax({y[0], y[1], y[2]});
+    for (double r = top; r <= bottom; ++r) {
+      for (double c = left; c <= right; ++c) {
+        const double u = ((c - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (r - y[0])) / area;
+        const double v = ((x[1] - x[0]) * (r - y[0]) - (c - x[0]) * (y[1] - y[0])) / area;
+        if (u < -1e-12 || v < -1e-12 || u + v > 1 + 1e-12) continue;
+        const auto sample = static_cast<Index>(r) * cols + static_cast<Index>(c);
+        held.insert(sample);
+        largest = std::max(largest, std::abs(z[0] + u * (z[1] - z[0]) + v * (z[2] - z[0]) -
+                                             full.points[static_cast<std::size_t>(sample)][2]));
+      }
+    }
+  }
+  return {largest, held.size()};
+}
+
+TEST(cli_refine_mesh, a_budget_of_triangles_is_kept_and_the_error_told_is_the_error) {
+  const test::TemporaryFolder folder;
+  const auto refine = [&](const std::string& name, const test::Arguments& more) {
+    test::Arguments all{"refine", dem, folder.file(name), "--scheme", "gentle", "--json"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_json(all);
+  };
+  const auto whole = refine("full.ply", {});
+  const MeshData full = openmesh::read_mesh(folder.file("full.ply"));
+  const Index cols = whole.at("cols");
+  double before = std::numeric_limits<double>::infinity();
+  for (const Index most : {300, 3000, 30000}) {
+    const std::string name = std::to_string(most) + ".ply";
+    const auto report = refine(name, {"--max-triangles", std::to_string(most)}).at("mesh");
+    const MeshData mesh = openmesh::read_mesh(folder.file(name));
+    ASSERT_EQ(report.at("triangles"), mesh.faces.count());
+    EXPECT_LE(mesh.faces.count(), most);
+    EXPECT_GE(mesh.faces.count(), most - 1);
+    const auto [largest, held] = measured_plainly(mesh, full, cols);
+    EXPECT_NEAR(report.at("largest_error"), largest, 1e-3);  // float heights
+    EXPECT_EQ(held, full.points.size()) << "the whole terrain is covered";
+    EXPECT_EQ(report.at("left_out"), 0);
+    EXPECT_LT(largest, before);
+    before = largest;
+    // Faces look up.
+    const auto at = [&](std::size_t k) {
+      return mesh.points[static_cast<std::size_t>(mesh.faces[0][k])];
+    };
+    EXPECT_GT((at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) -
+                  (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]),
+              0);
+  }
+  const auto enough = refine("enough.obj", {"--max-triangles", "10000000"}).at("mesh");
+  EXPECT_EQ(enough.at("triangles"), 0);
+  EXPECT_EQ(enough.at("quads"), full.faces.count());
+  EXPECT_EQ(enough.at("largest_error"), 0);
+}
+
+TEST(cli_refine_mesh, a_budget_of_triangles_is_refused_where_it_makes_no_sense) {
+  const test::TemporaryFolder folder;
+  const auto refine = [&](const std::string& in, const std::string& out, const std::string& most) {
+    return test::Arguments{"refine",          in,  folder.file(out), "--scheme", "gentle",
+                           "--max-triangles", most};
+  };
+  expect_error(refine(dem, "out.tif", "100"), 2, "--max-triangles is for meshes");
+  expect_error(refine(dem, "out.vtp", "100"), 2, "--max-triangles is for meshes");
+  expect_error(refine(dem, "out.obj", "1"), 2, "--max-triangles");
+  openmesh::write_mesh(folder.file("in.obj"), utm_terrain(4, 5));
+  expect_error(refine(folder.file("in.obj"), "out.obj", "100"), 2, "keeps all its quads");
 }
 
 }  // namespace
