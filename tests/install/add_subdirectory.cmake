@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+# Builds and runs a project that takes arete in by add_subdirectory.
+cmake_policy(VERSION 3.25)
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result OUTPUT_VARIABLE _out ERROR_VARIABLE _out)
+  if(NOT _result EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\n${_out}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+# Not optimised: it is built anew each time.
+run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK} -G ${GENERATOR} -DARETE=${SOURCE}
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0)
+run(${CMAKE_COMMAND} --build ${WORK} --target consumer)
+run(${WORK}/consumer)
+if(EXISTS ${WORK}/bin/arete)
+  message(FATAL_ERROR "the program was built for a project that only takes the library")
+endif()
