@@ -34,6 +34,7 @@ struct CoarsenArguments {
   int levels = 1;
   std::string mode = "least-squares";
   std::string boundary = "extrapolate";
+  bool boundary_given = false;
   std::optional<double> threshold;
   std::optional<double> target_rmse;
   int threads = 1;
@@ -167,8 +168,8 @@ void report(const CoarsenArguments& a, const Work& work, const Summary& summary,
 void coarsen_as_mesh(const CoarsenArguments& a) {
   if (!a.raster_option.empty())
     throw Misuse(a.raster_option + " is for rasters; " + a.input + " is a mesh");
-  coarsen_mesh({a.input, a.output, a.details, a.scheme, a.rim, a.mode, a.levels, a.threshold,
-                a.target_rmse, a.overwrite, a.json});
+  coarsen_mesh({a.input, a.output, a.details, a.scheme, a.rim, a.boundary_given ? a.boundary : "",
+                a.mode, a.levels, a.threshold, a.target_rmse, a.overwrite, a.json});
 }
 #endif
 
@@ -245,7 +246,9 @@ void add_coarsen(CLI::App& program, Job& job) {
   verb->add_option("OUT", a->output, "The coarse raster, a .tif, or mesh")->required();
   verb->add_option("--scheme", a->scheme,
                    "Scheme whose refinement is undone, e.g. chaikin ('arete schemes' lists all); "
-                   "of meshes catmull-clark, loop, loop-warren or doo-sabin")
+                   "of meshes also catmull-clark, loop, loop-warren or doo-sabin, other ones if "
+                   "the mesh is a "
+                   "regular grid of quads")
       ->required();
   verb->add_option("--rim", a->rim,
                    "How the boundary of an open mesh was made: smooth, sharp-corners or thirds "
@@ -276,7 +279,8 @@ void add_coarsen(CLI::App& program, Job& job) {
   verb->add_flag("--overwrite", a->overwrite, "Replace OUT and the details if they exist");
   verb->add_flag("--json", a->json, "Print one JSON object about what was done");
   verb->callback([&job, a, verb] {
-    for (const char* option : {"--boundary", "--threads", "--max-memory", "--type"})
+    a->boundary_given = verb->count("--boundary") > 0;
+    for (const char* option : {"--threads", "--max-memory", "--type"})
       if (a->raster_option.empty() && verb->count(option) > 0) a->raster_option = option;
     job = [a] { coarsen(*a); };
   });

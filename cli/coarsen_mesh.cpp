@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "arete/openmesh/reverse_mesh.h"
+#include "arete/scheme/catalogue.h"
 #include "cli/details_store.h"
 #include "cli/error.h"
 #include "cli/interruption.h"
@@ -14,13 +15,31 @@
 namespace arete::cli {
 namespace {
 
+void set_grid_scheme(const CoarsenMeshArguments& a, openmesh::MeshCoarsenOptions& options) {
+  try {
+    options.grid_scheme = parse_scheme(a.scheme);
+  } catch (const InvalidScheme& error) {
+    throw Misuse("--scheme " + a.scheme +
+                 ": any mesh is coarsened by catmull-clark, loop, loop-warren or doo-sabin, and "
+                 "a grid by schemes of the catalogue: " +
+                 error.what());
+  }
+  if (!a.boundary.empty()) options.boundaries = parse_boundaries(a.boundary);
+  if (!a.rim.empty())
+    throw Misuse("--rim is for catmull-clark, loop and loop-warren; " + a.scheme +
+                 " on a grid has --boundary");
+}
+
 openmesh::MeshCoarsenOptions options_from(const CoarsenMeshArguments& a) {
   openmesh::MeshCoarsenOptions options;
-  const auto scheme = parse_mesh_scheme(a.scheme);
-  if (!scheme)
-    throw Misuse("--scheme " + a.scheme +
-                 ": meshes are coarsened by catmull-clark, loop, loop-warren or doo-sabin");
-  options.scheme = *scheme;
+  if (const auto scheme = parse_mesh_scheme(a.scheme)) {
+    options.scheme = *scheme;
+    if (!a.boundary.empty())
+      throw Misuse("--boundary is for grids and schemes of the catalogue; " + a.scheme +
+                   " has --rim");
+  } else {
+    set_grid_scheme(a, options);
+  }
   if (!a.rim.empty()) {
     options.rim = parse_mesh_rim(a.rim);
     if (!options.rim) throw Misuse("--rim " + a.rim + ": choose smooth, sharp-corners or thirds");
@@ -58,10 +77,17 @@ void check_kept(const std::string& path, const std::filesystem::path& written,
     throw Failure(path + " cannot hold " + lost + ", and the details would not fit; use .ply");
 }
 
+// What was done at the rim, by its name: "rim", or for grids "boundary" (x, then y).
+std::pair<std::string, std::string> edge_of(const MeshDetailsFile& details) {
+  if (!details.grid) return {"rim", std::string(to_string(details.rule.rim))};
+  const Boundaries& b = details.grid->boundaries;
+  return {"boundary", std::string(to_string(b.x)) + "," + std::string(to_string(b.y))};
+}
+
 void report(const CoarsenMeshArguments& a, const openmesh::MeshData& input,
             const openmesh::CoarsenedMesh& done, std::size_t bytes, double seconds) {
-  const std::string scheme(to_string(done.rule.scheme));
-  const std::string rim(to_string(done.rule.rim));
+  const std::string scheme = done.details.scheme_text();
+  const auto [edge, kind] = edge_of(done.details);
   if (a.json) {
     Json object{{"input", a.input},
                 {"output", a.output},
@@ -71,7 +97,7 @@ void report(const CoarsenMeshArguments& a, const openmesh::MeshData& input,
                 {"coarse_faces", done.coarse.faces.count()},
                 {"levels", a.levels},
                 {"scheme", scheme},
-                {"rim", rim},
+                {edge, kind},
                 {"mode", a.mode},
                 {"unique", done.unique},
                 {"largest_detail", done.largest_detail},
@@ -89,8 +115,8 @@ void report(const CoarsenMeshArguments& a, const openmesh::MeshData& input,
     return;
   }
   std::cout << a.input << " (" << input.points.size() << " vertices) -> " << a.output << " ("
-            << done.coarse.points.size() << " vertices): " << scheme << ", rim " << rim << ", "
-            << a.mode << ", " << a.levels << (a.levels == 1 ? " level" : " levels")
+            << done.coarse.points.size() << " vertices): " << scheme << ", " << edge << " " << kind
+            << ", " << a.mode << ", " << a.levels << (a.levels == 1 ? " level" : " levels")
             << "; the largest detail is " << done.largest_detail << '\n';
   if (!a.details.empty())
     std::cout << a.details << ": " << done.count.kept << " of " << done.count.all
@@ -152,6 +178,7 @@ void restore_mesh(const RestoreMeshArguments& a) {
   openmesh::write_mesh(output.temporary().string(), mesh, {form_of(a.output)});
   stop_if_interrupted();
   output.commit();
+  const auto [edge, kind] = edge_of(details);
   if (a.json)
     std::cout << Json{{"input", a.coarse},
                       {"details", a.details},
@@ -160,8 +187,8 @@ void restore_mesh(const RestoreMeshArguments& a) {
                       {"faces", mesh.faces.count()},
                       {"levels", levels},
                       {"of_levels", all},
-                      {"scheme", std::string(to_string(details.rule.scheme))},
-                      {"rim", std::string(to_string(details.rule.rim))},
+                      {"scheme", details.scheme_text()},
+                      {edge, kind},
                       {"mode", std::string(to_string(details.mode))},
                       {"lossy", details.lossy}}
                      .dump(2)

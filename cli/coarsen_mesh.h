@@ -13,6 +13,7 @@ struct CoarsenMeshArguments {
   std::string details;
   std::string scheme;
   std::string rim;
+  std::string boundary;  ///< empty: not given
   std::string mode;
   int levels = 1;
   std::optional<double> threshold;

@@ -110,6 +110,34 @@ TEST(cli_mesh_reverse, a_subdivided_mesh_becomes_its_control_mesh_and_comes_back
   }
 }
 
+TEST(cli_mesh_reverse, a_grid_goes_through_any_scheme_of_the_catalogue) {
+  const test::TemporaryFolder folder;
+  const Files files(folder);
+  const std::string control = folder.file("control.obj");
+  write_fine(control, MeshScheme::catmull_clark, test::open_grid(5, 6, false), 0);
+  for (const char* scheme : {"four-point", "chaikin", "ternary-two-step"}) {
+    ASSERT_EQ(run_arete({"refine", control, files.fine, "--scheme", scheme, "--levels", "1",
+                         "--overwrite"})
+                  .exit_code,
+              0);
+    const auto report = run_json(with_json(files.coarsening({"--scheme", scheme})));
+    EXPECT_EQ(report.at("boundary"), "extrapolate,extrapolate");
+    EXPECT_EQ(report.at("coarse_vertices"), 30) << scheme;
+    EXPECT_LE(report.at("largest_detail"), 1e-10) << scheme;
+    EXPECT_EQ(report.at("max_error"), 0) << scheme;
+    ASSERT_EQ(run_arete(files.restoring()).exit_code, 0);
+    EXPECT_EQ(numbers_of(files.back), numbers_of(files.fine)) << scheme;
+  }
+  write_fine(files.fine, MeshScheme::doo_sabin, test::prism(5), 1);
+  const auto refused = run_arete(files.coarsening({"--scheme", "chaikin"}));
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_NE(refused.err.find("one regular grid of quads"), std::string::npos) << refused.err;
+  for (const Arguments& misuse : {Arguments{"--scheme", "chaikin", "--rim", "thirds"},
+                                  Arguments{"--scheme", "loop", "--boundary", "clamp"},
+                                  Arguments{"--scheme", "no-such-scheme"}})
+    EXPECT_EQ(run_arete(files.coarsening(misuse)).exit_code, 2);
+}
+
 TEST(cli_mesh_reverse, a_threshold_thins_and_says_what_it_costs) {
   const test::TemporaryFolder folder;
   const Files files(folder);
@@ -142,7 +170,7 @@ TEST(cli_mesh_reverse, what_is_wrong_is_named_and_nothing_is_written) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   holds(complaint(files.coarsening({"--scheme", "loop"}), 1), "fine.obj: the mesh does not have");
-  holds(complaint(files.coarsening({"--scheme", "gentle"}), 2), "catmull-clark, loop");
+  holds(complaint(files.coarsening({"--scheme", "gentle"}), 1), "one regular grid of quads");
   holds(complaint(files.coarsening({"--scheme", "loop", "--rim", "x"}), 2), "--rim x");
   holds(complaint(files.coarsening({"--scheme", "loop", "--type", "float32"}), 2),
         "--type is for rasters");

@@ -24,7 +24,7 @@ const std::map<std::string, Names> core_may_include{
     {"field", {"field"}},
     {"topology", {"field", "topology"}},
     {"refine", {"algebra", "scheme", "field", "refine"}},
-    {"reverse", {"algebra", "scheme", "field", "refine", "reverse"}},
+    {"reverse", {"algebra", "scheme", "field", "refine", "topology", "reverse"}},
     {"fractal", {"algebra", "scheme", "field", "fractal"}},
     {"variational", {"algebra", "scheme", "field", "variational"}},
     {"metrics", {"field", "metrics"}},

@@ -39,7 +39,7 @@ std::vector<Index> inverse(const std::vector<RecoveredMesh::FacePlace>& faces) {
 std::vector<Index> vertex_order(const RecoveredMesh& mesh, MeshScheme scheme) {
   const auto count = static_cast<Index>(mesh.place.size());
   std::vector<Index> chosen(static_cast<std::size_t>(mesh.coarse.vertices), -1);
-  if (scheme == MeshScheme::doo_sabin) {
+  if (scheme == MeshScheme::doo_sabin && !mesh.grid) {
     std::size_t corner = 0;
     for (const auto& face : mesh.coarse.faces)
       for (const Index v : face) {
@@ -55,7 +55,8 @@ std::vector<Index> vertex_order(const RecoveredMesh& mesh, MeshScheme scheme) {
 
 std::vector<Index> corner_order(const RecoveredMesh& mesh, MeshScheme scheme) {
   const std::vector<Index> given = inverse(mesh.faces);
-  const std::vector<Index> first = first_faces(mesh.coarse, scheme);
+  const std::vector<Index> first =
+      mesh.grid ? mesh.grid->corner_faces() : first_faces(mesh.coarse, scheme);
   // Sizes of the given faces, and where their corners begin.
   const MeshFaces fine = refined_faces(mesh, scheme);
   std::vector<Index> start{0};
@@ -71,14 +72,21 @@ std::vector<Index> corner_order(const RecoveredMesh& mesh, MeshScheme scheme) {
   std::vector<Index> chosen;
   for (std::size_t f = 0; f < mesh.coarse.faces.size(); ++f)
     for (Index i = 0; i < static_cast<Index>(mesh.coarse.faces[f].size()); ++i)
-      chosen.push_back(scheme == MeshScheme::doo_sabin ? corner(first[f], i)
-                                                       : corner(first[f] + i, 0));
+      chosen.push_back(mesh.grid ? corner(first[4 * f + static_cast<std::size_t>(i)], i)
+                       : scheme == MeshScheme::doo_sabin ? corner(first[f], i)
+                                                         : corner(first[f] + i, 0));
   return chosen_first(std::move(chosen), start.back());
 }
 
 std::vector<Index> face_heirs(const RecoveredMesh& mesh, MeshScheme scheme) {
   const std::vector<Index> given = inverse(mesh.faces);
   std::vector<Index> heirs;
+  if (mesh.grid) {
+    const std::vector<Index> corners = mesh.grid->corner_faces();
+    for (std::size_t i = 0; i < corners.size(); i += 4)
+      heirs.push_back(given[static_cast<std::size_t>(corners[i])]);
+    return heirs;
+  }
   for (const Index first : first_faces(mesh.coarse, scheme))
     heirs.push_back(given[static_cast<std::size_t>(first)]);
   return heirs;

@@ -26,16 +26,26 @@ bool vanish(const R& details, const R& positions) {
     return details == R(0);
 }
 
+// In the order of the step.
 template <class R>
-Grid<R> subdivided(const RecoveredMesh& mesh, MeshRule rule, GridView<const R> coarse) {
+Grid<R> step_positions(const RecoveredMesh& mesh, MeshRule rule, GridView<const R> coarse) {
+  if (mesh.grid) {
+    if constexpr (std::is_same_v<R, double>) return mesh.grid->subdivided(coarse);
+    throw InvalidField("grids are put together in floating point only");
+  }
   const MeshStep<R> step = mesh_step<R>(mesh.coarse, rule);
-  if (static_cast<Index>(mesh.place.size()) != step.s.rows())
-    throw InvalidField("there are places of " + std::to_string(mesh.place.size()) +
-                       " vertices where the coarse mesh refines to " +
-                       std::to_string(step.s.rows()));
   Grid<R> fine({step.s.rows(), coarse.cols()});
   step.s.multiply({coarse.row(0), coarse.rows(), coarse.cols(), coarse.stride()},
                   {fine.row(0), fine.rows(), fine.cols(), fine.cols()});
+  return fine;
+}
+
+template <class R>
+Grid<R> subdivided(const RecoveredMesh& mesh, MeshRule rule, GridView<const R> coarse) {
+  const Grid<R> fine = step_positions<R>(mesh, rule, coarse);
+  if (static_cast<Index>(mesh.place.size()) != fine.rows())
+    throw InvalidField("there are places of " + std::to_string(mesh.place.size()) +
+                       " vertices where the coarse mesh refines to " + std::to_string(fine.rows()));
   Grid<R> placed(fine.extent());
   for (Index i = 0; i < fine.rows(); ++i)
     std::copy_n(fine.row(i), fine.cols(), placed.row(mesh.place[static_cast<std::size_t>(i)]));
@@ -55,6 +65,16 @@ void add(Grid<R>& to, const Grid<R>& more) {
 }
 
 template <class R>
+void add_details(MeshDecomposition<R>& parts, GridView<const R> positions) {
+  Grid<R> again = subdivided<R>(parts.mesh, parts.rule, std::as_const(parts.coarse).view());
+  parts.details = Grid<R>(positions.extent());
+  parts.remainder = Grid<R>(positions.extent());
+  subtract(positions, again, parts.details);
+  add(again, parts.details);
+  subtract(positions, again, parts.remainder);
+}
+
+template <class R>
 MeshDecomposition<R> with_details(MeshRule rule, RecoveredMesh mesh, GridView<const R> positions,
                                   ReverseMode mode) {
   Grid<R> ordered(positions.extent());
@@ -63,16 +83,9 @@ MeshDecomposition<R> with_details(MeshRule rule, RecoveredMesh mesh, GridView<co
                 ordered.row(i));
   MeshCoarse<R> coarse =
       reverse_mesh_step<R>(mesh.coarse, rule, std::as_const(ordered).view(), mode);
-  Grid<R> again = subdivided<R>(mesh, rule, std::as_const(coarse.positions).view());
-  MeshDecomposition<R> parts{rule,
-                             std::move(mesh),
-                             std::move(coarse.positions),
-                             Grid<R>(positions.extent()),
-                             Grid<R>(positions.extent()),
-                             coarse.unique};
-  subtract(positions, again, parts.details);
-  add(again, parts.details);
-  subtract(positions, again, parts.remainder);
+  MeshDecomposition<R> parts{rule, std::move(mesh), std::move(coarse.positions), {},
+                             {},   coarse.unique};
+  add_details(parts, positions);
   return parts;
 }
 
@@ -201,6 +214,10 @@ MeshDecomposition<R> joined(const MeshFaces& fine, const std::vector<Part>& part
 }
 
 }  // namespace
+
+void recovery::set_details(MeshDecomposition<double>& parts, GridView<const double> positions) {
+  add_details(parts, positions);
+}
 
 std::vector<MeshRule> candidate_rules(MeshScheme scheme, std::optional<MeshRim> rim) {
   if (rim) return {{scheme, *rim}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arete/reverse/byte_stream.h"
 #include "arete/reverse/mesh_details_file.h"
+#include "arete/scheme/catalogue.h"
 
 namespace arete {
 namespace {
@@ -33,8 +34,23 @@ void check_each_once(const std::vector<Index>& numbers, const char* what) {
       damaged(std::string(what) + " " + std::to_string(number) + " stands twice");
 }
 
-MeshRule rule_of(Reader& in) {
-  const auto scheme = parse_mesh_scheme(in.text("scheme"));
+GridStep grid_step_of(Reader& in) {
+  try {
+    Scheme scheme = parse_scheme(in.text("grid_scheme"));
+    Boundaries boundaries;
+    boundaries.x = parse_boundary(in.text("boundary_x"));
+    boundaries.y = parse_boundary(in.text("boundary_y"));
+    Extent fine;
+    fine.rows = in.number("rows", 2, largest);
+    fine.cols = in.number("cols", 2, largest);
+    return {std::move(scheme), boundaries, fine, in.number("mirrored", 0, 1) == 1};
+  } catch (const std::invalid_argument& error) {
+    damaged(error.what());
+  }
+}
+
+MeshRule rule_of(Reader& in, std::string_view name) {
+  const auto scheme = parse_mesh_scheme(name);
   const auto rim = parse_mesh_rim(in.text("rim"));
   if (!scheme || !rim) damaged("the scheme in the header");
   return {*scheme, *rim};
@@ -65,6 +81,19 @@ MeshLevelDetails read_level(Reader& in, const std::vector<Index>& sizes, bool lo
   return level;
 }
 
+void check_sizes(GridStep step, const std::vector<MeshLevelDetails>& levels) {
+  try {
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if (i > 0) step = step.coarser();
+      if (step.fine.rows > levels[i].vertices() / step.fine.cols ||
+          step.fine.rows * step.fine.cols != levels[i].vertices())
+        damaged("rows and columns of the grid");
+    }
+  } catch (const InvalidField& error) {
+    damaged(error.what());
+  }
+}
+
 }  // namespace
 
 MeshDetailsFile decode_mesh_details(std::span<const std::uint8_t> bytes, const Unpack& unpack) {
@@ -73,7 +102,11 @@ MeshDetailsFile decode_mesh_details(std::span<const std::uint8_t> bytes, const U
     throw InvalidDetails("these are the details of a raster, not of a mesh; restore a raster");
   if (in.kind() != details::mesh_kind) damaged("the header does not begin as one");
   MeshDetailsFile file;
-  file.rule = rule_of(in);
+  const std::string scheme(in.text("scheme"));
+  if (scheme == "grid")
+    file.grid = grid_step_of(in);
+  else
+    file.rule = rule_of(in, scheme);
   try {
     file.mode = parse_reverse_mode(in.text("mode"));
   } catch (const InvalidField& error) {
@@ -95,6 +128,7 @@ MeshDetailsFile decode_mesh_details(std::span<const std::uint8_t> bytes, const U
   for (std::size_t i = sizes.size(); i-- > 0;)
     file.levels.insert(file.levels.begin(), read_level(in, sizes[i], file.lossy));
   in.end();
+  if (file.grid) check_sizes(*file.grid, file.levels);
   return file;
 }
 

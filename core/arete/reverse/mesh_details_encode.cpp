@@ -20,12 +20,29 @@ Bytes steps_of(const std::vector<Index>& numbers) {
   return planes;
 }
 
+void write_rule(details::Writer& out, MeshRule rule) {
+  out.line("scheme", to_string(rule.scheme));
+  out.line("rim", to_string(rule.rim));
+}
+
+void write_grid(details::Writer& out, const GridStep& grid) {
+  out.line("scheme", "grid");
+  out.line("grid_scheme", grid.scheme.text());
+  out.line("boundary_x", to_string(grid.boundaries.x));
+  out.line("boundary_y", to_string(grid.boundaries.y));
+  out.line("rows", grid.fine.rows);
+  out.line("cols", grid.fine.cols);
+  out.line("mirrored", grid.mirrored ? 1 : 0);
+}
+
 }  // namespace
 
 Bytes encode_mesh_details(const MeshDetailsFile& file, const Pack& pack) {
   details::Writer out(details::mesh_kind, pack);
-  out.line("scheme", to_string(file.rule.scheme));
-  out.line("rim", to_string(file.rule.rim));
+  if (file.grid)
+    write_grid(out, *file.grid);
+  else
+    write_rule(out, file.rule);
   out.line("mode", to_string(file.mode));
   out.line("lossy", file.lossy ? 1 : 0);
   out.line("coarse_faces", file.coarse_faces);

@@ -21,13 +21,19 @@ struct MeshLevelDetails {
 
 /// All that a mesh's details file says.
 struct MeshDetailsFile {
-  MeshRule rule = MeshScheme::catmull_clark;
+  MeshRule rule = MeshScheme::catmull_clark;  ///< without meaning when there is `grid`
+  std::optional<GridStep> grid;               ///< the finest step of a grid mesh
   ReverseMode mode = ReverseMode::least_squares;
   bool lossy = false;                  ///< details were dropped and the rest rounded to float32
   std::uint32_t coarse_faces = 0;      ///< checksums of the coarse mesh's faces
   std::uint32_t coarse_positions = 0;  ///< and positions
   std::vector<std::string> attributes;
   std::vector<MeshLevelDetails> levels;  ///< the finest first
+
+  /// The scheme, of meshes or of the catalogue, as text.
+  [[nodiscard]] std::string scheme_text() const {
+    return grid ? grid->scheme.text() : std::string(to_string(rule.scheme));
+  }
 };
 
 /// The envelope of a details file (details_file.h), version 1, of kind "arete mesh details"; blocks

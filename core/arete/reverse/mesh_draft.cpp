@@ -32,7 +32,7 @@ std::vector<Key> keys_of(const std::vector<std::vector<Index>>& faces) {
 
 bool fits(const MeshFaces& fine, RecoveredMesh& mesh, MeshScheme scheme) {
   const auto& place = mesh.place;
-  MeshFaces again = mesh_step<double>(mesh.coarse, scheme).fine;
+  MeshFaces again = mesh.step_faces(scheme);
   if (again.vertices != fine.vertices || again.faces.size() != fine.faces.size() ||
       static_cast<Index>(place.size()) != fine.vertices ||
       std::set<Index>(place.begin(), place.end()).size() != place.size())

@@ -54,4 +54,7 @@ using Recovered = std::vector<RecoveredMesh>;
 [[nodiscard]] Recovered doo_sabin(const MeshFaces& fine, const MeshNeighbours& mesh,
                                   Obstacle& obstacle);
 
+/// Sets what the coarse positions of `parts` miss of the given ones, and what rounding misses then.
+void set_details(MeshDecomposition<double>& parts, GridView<const double> positions);
+
 }  // namespace arete::recovery

@@ -30,7 +30,7 @@ std::vector<RecoveredMesh> recover_coarse(const MeshFaces& fine, MeshScheme sche
 }
 
 MeshFaces refined_faces(const RecoveredMesh& mesh, MeshScheme scheme) {
-  const MeshFaces step = mesh_step<double>(mesh.coarse, scheme).fine;
+  const MeshFaces step = mesh.step_faces(scheme);
   if (mesh.place.size() != static_cast<std::size_t>(step.vertices) ||
       mesh.faces.size() != step.faces.size())
     throw InvalidField("the coarse mesh refines to " + std::to_string(step.vertices) +

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
+#include "arete/reverse/grid_step.h"
 #include "arete/reverse/mesh_reverse.h"
 
 namespace arete {
@@ -18,6 +21,14 @@ struct RecoveredMesh {
   /// Fine vertex i of mesh_step(coarse) is vertex place[i] of the given mesh.
   std::vector<Index> place;
   std::vector<FacePlace> faces;  ///< one for each face of the given mesh
+  /// Set: the step is this one, of a scheme of the catalogue on a grid, and no scheme for meshes
+  /// matters.
+  std::shared_ptr<const GridStep> grid = {};
+
+  /// The faces of the step, in its own numbers.
+  [[nodiscard]] MeshFaces step_faces(MeshScheme scheme) const {
+    return grid ? grid->fine_faces() : mesh_step<double>(coarse, scheme).fine;
+  }
 };
 
 /// All coarse meshes whose subdivision gives exactly these faces (up to the order of faces, where

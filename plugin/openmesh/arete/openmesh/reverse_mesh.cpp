@@ -5,6 +5,7 @@
 
 #include "arete/openmesh/internal/attribute_bytes.h"
 #include "arete/openmesh/internal/plain_mesh.h"
+#include "arete/reverse/grid_mesh.h"
 
 namespace arete::openmesh {
 namespace {
@@ -18,6 +19,16 @@ double longest(const MeshLevels& levels) {
   return longest;
 }
 
+// Of every level; nothing for schemes for meshes.
+std::vector<std::shared_ptr<const GridStep>> grid_steps(const MeshDetailsFile& details) {
+  std::vector<std::shared_ptr<const GridStep>> steps(details.levels.size());
+  if (!details.grid || steps.empty()) return steps;
+  steps.front() = std::make_shared<const GridStep>(*details.grid);
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    steps[i] = std::make_shared<const GridStep>(steps[i - 1]->coarser());
+  return steps;
+}
+
 }  // namespace
 
 CoarsenedMesh coarsen_mesh(const MeshData& mesh, const MeshCoarsenOptions& options) {
@@ -25,9 +36,12 @@ CoarsenedMesh coarsen_mesh(const MeshData& mesh, const MeshCoarsenOptions& optio
     throw InvalidField("a threshold or target RMSE must be 0 or more, in units of the mesh");
   const MeshFaces faces = detail::faces_of(mesh);
   const Grid<double> positions = detail::positions_of(mesh);
-  MeshLevels levels =
-      decompose_mesh_levels(faces, positions.view(), candidate_rules(options.scheme, options.rim),
-                            options.mode, options.levels);
+  MeshLevels levels = options.grid_scheme
+                          ? decompose_grid_mesh(faces, positions.view(), *options.grid_scheme,
+                                                options.boundaries, options.mode, options.levels)
+                          : decompose_mesh_levels(faces, positions.view(),
+                                                  candidate_rules(options.scheme, options.rim),
+                                                  options.mode, options.levels);
   CoarsenedMesh result;
   result.rule = levels.empty() ? MeshRule(options.scheme, options.rim.value_or(MeshRim::smooth))
                                : levels.front().rule;
@@ -42,6 +56,7 @@ CoarsenedMesh coarsen_mesh(const MeshData& mesh, const MeshCoarsenOptions& optio
 
   MeshDetailsFile& file = result.details;
   file.rule = result.rule;
+  if (!levels.empty() && levels.front().mesh.grid) file.grid = *levels.front().mesh.grid;
   file.mode = options.mode;
   file.lossy = options.lossy();
   result.coarse = mesh;
@@ -79,11 +94,12 @@ MeshData restore_mesh(const MeshData& coarse, const MeshDetailsFile& details, in
     detail::foreign(
         "checksum of its positions; if it was changed on purpose, say that it is edited");
   try {
+    const auto grids = grid_steps(details);
     for (std::size_t i = details.levels.size(); i-- > details.levels.size() - levels;) {
       const MeshLevelDetails& level = details.levels[i];
       MeshDecomposition<double> step{
           details.rule,
-          {std::move(faces), level.place, level.faces},
+          {std::move(faces), level.place, level.faces, grids[i]},
           {},
           level.details,
           details.lossy ? Grid<double>(level.details.extent()) : level.remainder,

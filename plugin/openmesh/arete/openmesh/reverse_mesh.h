@@ -19,6 +19,10 @@ struct MeshCoarsenOptions {
   /// both.
   std::optional<double> threshold;
   std::optional<double> target_rmse;
+  /// Set: the mesh is a grid and this scheme of the catalogue is undone, with these boundaries
+  /// (decompose_grid_mesh); `scheme` and `rim` do not matter then.
+  std::optional<Scheme> grid_scheme = {};
+  Boundaries boundaries = {};
 
   [[nodiscard]] bool lossy() const {
     return threshold.value_or(0) > 0 || target_rmse.value_or(0) > 0;

@@ -12,7 +12,7 @@
 #include "arete/openmesh/internal/coarse_connectivity.h"
 #include "arete/openmesh/internal/components.h"
 #include "arete/openmesh/internal/gather.h"
-#include "arete/reverse/mesh_levels.h"
+#include "arete/reverse/grid_mesh.h"
 
 namespace arete::openmesh {
 
@@ -53,6 +53,11 @@ class ReverseSubdividerT {
       : scheme_(scheme), mode_(mode), rim_(rim), name_("arete reverse ") {
     name_ += to_string(scheme);
   }
+  /// For meshes that are one regular grid of quads, any scheme of the catalogue: the way back from
+  /// GridSubdividerT (see decompose_grid_mesh).
+  explicit ReverseSubdividerT(const Scheme& scheme, ReverseMode mode = ReverseMode::least_squares,
+                              Boundaries boundaries = {})
+      : grid_({scheme, boundaries}), mode_(mode), name_("arete reverse " + scheme.text()) {}
 
   [[nodiscard]] const char* name() const { return name_.c_str(); }
 
@@ -69,10 +74,8 @@ class ReverseSubdividerT {
   void coarsen_or_throw(Mesh& mesh, std::size_t levels) {
     const MeshFaces faces = detail::plain_faces(mesh);
     const Grid<double> positions = positions_of(mesh);
-    const auto rules = undone_.empty() ? candidate_rules(scheme_, rim_)
-                                       : std::vector<MeshRule>{undone_.back().step.rule};
-    MeshLevels steps = decompose_mesh_levels(faces, positions.view(), rules, mode_,
-                                             static_cast<int>(std::min<std::size_t>(levels, 64)));
+    MeshLevels steps =
+        taken_apart(faces, positions, static_cast<int>(std::min<std::size_t>(levels, 64)));
     for (auto& step : steps) {
       const detail::CoarseSources sources =
           detail::coarse_sources(mesh, step.mesh, step.rule.scheme);
@@ -132,6 +135,16 @@ class ReverseSubdividerT {
       ::omerr() << name_ << ": " << error.what() << std::endl;
     }
     return false;
+  }
+
+  [[nodiscard]] MeshLevels taken_apart(const MeshFaces& faces, const Grid<double>& positions,
+                                       int levels) const {
+    if (grid_)
+      return decompose_grid_mesh(faces, positions.view(), grid_->first, grid_->second, mode_,
+                                 levels);
+    const auto rules = undone_.empty() ? candidate_rules(scheme_, rim_)
+                                       : std::vector<MeshRule>{undone_.back().step.rule};
+    return decompose_mesh_levels(faces, positions.view(), rules, mode_, levels);
   }
 
   static typename Mesh::VertexHandle handle(Index v) {
@@ -194,7 +207,8 @@ class ReverseSubdividerT {
     }
   }
 
-  MeshScheme scheme_;
+  MeshScheme scheme_ = MeshScheme::catmull_clark;
+  std::optional<std::pair<Scheme, Boundaries>> grid_;
   ReverseMode mode_;
   std::optional<MeshRim> rim_;
   std::string name_;
