@@ -73,7 +73,10 @@ struct Loaded {
     }
     stop_if_interrupted();
   }
-  [[nodiscard]] std::string unit() const { return band.unit.empty() ? "m" : band.unit; }
+  // Nothing where neither the option nor the band says it: heights are often in feet.
+  [[nodiscard]] std::string unit() const {
+    return arguments.units.empty() ? band.unit : arguments.units;
+  }
   [[nodiscard]] vtk::Surface surface() const {
     vtk::Surface surface = rendered->surface();
     if (!arguments.scheme.empty())
@@ -131,14 +134,15 @@ void picture(const RenderArguments& a) {
                       {"averaged", factor},
                       {"exaggeration", done.exaggeration},
                       {"lowest", done.lowest},
-                      {"highest", done.highest}}
+                      {"highest", done.highest},
+                      {"units", options.units}}
                      .dump(2)
               << '\n';
   } else {
     std::cout << a.input << " -> " << output << ": " << done.drawn.cols << " x " << done.drawn.rows
               << " samples drawn" << averaged_text(factor) << ", heights " << done.lowest << " .. "
-              << done.highest << " " << options.units << ", exaggerated " << done.exaggeration
-              << " times\n";
+              << done.highest << (options.units.empty() ? "" : " ") << options.units
+              << ", exaggerated " << done.exaggeration << " times\n";
   }
 }
 
@@ -263,6 +267,10 @@ void add_view_options(CLI::App& verb, RenderArguments& a) {
   verb.add_option("--size", a.size, "WIDTHxHEIGHT in pixels")->capture_default_str()->group("View");
   verb.add_option("--background", a.background, "#rrggbb")->capture_default_str()->group("View");
   verb.add_flag("--no-color-bar", a.no_color_bar, "Leave colour bar or legend out")->group("View");
+  verb.add_option("--units", a.units,
+                  "What the colour bar says the heights are in, as m or ft (default: what the "
+                  "raster says, or nothing)")
+      ->group("View");
 }
 
 }  // namespace

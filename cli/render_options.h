@@ -31,6 +31,7 @@ struct RenderArguments {
   std::string background = "#ffffff";
   Index max_samples = 2000;
   bool no_color_bar = false;
+  std::string units;  ///< of the heights; empty for what the band says
   bool overwrite = false;
   bool json = false;
 };

@@ -50,6 +50,28 @@ TEST(cli_render, more_light_from_the_other_side_is_another_picture) {
   EXPECT_NE(sums[0], sums[2]);
 }
 
+TEST(cli_render, the_unit_is_that_of_the_band_or_of_the_option_and_never_a_guess) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.file("unknown.asc"))
+      << "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n2 3 4\n3 4 7\n";
+  std::ofstream(folder.file("feet.vrt"))
+      << R"(<VRTDataset rasterXSize="3" rasterYSize="3"><GeoTransform>0,1,0,3,0,-1</GeoTransform>)"
+      << R"(<VRTRasterBand dataType="Float32" band="1"><UnitType>ft</UnitType><SimpleSource>)"
+      << R"(<SourceFilename relativeToVRT="1">unknown.asc</SourceFilename><SourceBand>1</SourceBand>)"
+      << "</SimpleSource></VRTRasterBand></VRTDataset>\n";
+  const auto units = [&](const char* input, const test::Arguments& options) {
+    test::Arguments arguments{"render", folder.file(input), folder.file("o.png"),
+                              "--size", "200x150",          "--overwrite",
+                              "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return test::run_json(arguments).at("units").get<std::string>();
+  };
+  EXPECT_EQ(units("unknown.asc", {}), "");
+  EXPECT_EQ(units("feet.vrt", {}), "ft");
+  EXPECT_EQ(units("unknown.asc", {"--units", "yd"}), "yd");
+  EXPECT_EQ(units("feet.vrt", {"--units", "yd"}), "yd");
+}
+
 std::string render_error(const test::Arguments& options, int exit_code = 1) {
   const test::TemporaryFolder folder;
   test::Arguments arguments{"render", test::dem, folder.file("o.png"), "--max-samples", "50"};

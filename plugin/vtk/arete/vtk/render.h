@@ -32,7 +32,7 @@ struct RenderOptions {
   double pitch = 42;     ///< degrees above the horizon, 1 to 89
   /// How heights become colours, left out under a texture; of a palette, its layers by name.
   bool color_bar = true;
-  std::string units = "m";  ///< what the colour bar says the heights are in
+  std::string units = "m";  ///< what the colour bar says the heights are in; may be empty
   Rgb background{255, 255, 255};
   Index most_samples = 2000;  ///< a side that are drawn; more are averaged
 };

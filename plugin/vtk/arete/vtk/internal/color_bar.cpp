@@ -77,6 +77,7 @@ void draw_color_bar(const ColorBar& bar, const Colormap& colors, int width, int 
     paint.text(texts[k], right + 2 + layout.gap, y, layout.font, TextPlace::right_middle);
   }
   paint.boxes(boxes, fills);
+  if (bar.units.empty()) return;
   paint.text(bar.units, left, layout.bar_high + layout.gap, layout.font, TextPlace::right);
 }
 
