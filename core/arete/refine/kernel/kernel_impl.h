@@ -258,15 +258,15 @@ template <class T, std::size_t... Later>
 }
 
 // `line` is one of what window_at takes.
-template <class T, const Shape& shape, class Line, std::size_t... Phase, std::size_t... Place>
+template <class T, std::size_t Number, class Line, std::size_t... Phase, std::size_t... Place>
 [[gnu::always_inline]] inline void weave_window(const Line* line,
-                                                const Vec<T> (*weights)[shape.window()],
+                                                const Vec<T> (*weights)[shapes[Number].window()],
                                                 Vec<T>* woven, std::index_sequence<Phase...>,
                                                 std::index_sequence<Place...>) {
   const Vec<T> window[] = {window_at<T, Place>(line)...};
-  const Vec<T> sums[] = {sum_in<T>(window + shape.first[Phase], weights[Phase],
-                                   std::make_index_sequence<shape.taps[Phase] - 1>{})...};
-  weave_vectors<T, shape.arity>(sums, woven);
+  const Vec<T> sums[] = {sum_in<T>(window + shapes[Number].first[Phase], weights[Phase],
+                                   std::make_index_sequence<shapes[Number].taps[Phase] - 1>{})...};
+  weave_vectors<T, shapes[Number].arity>(sums, woven);
 }
 
 // Strands of a known shape. What several of them read is loaded once, and where shifts are cheap,
@@ -300,7 +300,7 @@ void weave_shape(T* __restrict out, const Warp<T>& warp, const Strand<T>* strand
     static_assert(WarpTaps == 0);
     weave_blocks<T, shape.arity>(
         out, count, stream, [&](Vec<T> * woven) __attribute__((always_inline)) {
-          weave_window<T, shape>(line[0] + at, weights, woven, phases, places);
+          weave_window<T, Number>(line[0] + at, weights, woven, phases, places);
           at += V<T>::lanes;
         });
   } else {
@@ -317,7 +317,7 @@ void weave_shape(T* __restrict out, const Warp<T>& warp, const Strand<T>* strand
     weave_blocks<T, shape.arity>(
         out, count, stream, [&](Vec<T> * woven) __attribute__((always_inline)) {
           held[held_size - 1] = next();
-          weave_window<T, shape>(held, weights, woven, phases, places);
+          weave_window<T, Number>(held, weights, woven, phases, places);
           for (std::size_t k = 0; k + 1 < held_size; ++k) held[k] = held[k + 1];
         });
   }
