@@ -53,20 +53,19 @@ class Triangulation {
     return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return valid(c); });
   }
 
-  // Whether a valid sample of a triangle that is not kept may be left to the triangle beyond: it
-  // lies on an edge between valid corners, neither of which is known to stand alone.
-  [[nodiscard]] bool left_to_another(int triangle, const Corner& at) const {
-    const auto corners = mesh_.corners(triangle);
-    const auto alone = [&](std::size_t k) {
-      const auto vertex = static_cast<std::size_t>(mesh_[triangle].corners[k]);
-      return vertex < alone_.size() && alone_[vertex];
-    };
+  // The vertical distance of a sample from the triangle over or under it.
+  [[nodiscard]] double error(const std::array<Corner, 3>& corners, const Corner& at,
+                             const std::array<double, 3>& share) const {
+    double there = 0;
+    for (std::size_t k = 0; k < 3; ++k) there += share[k] * static_cast<double>(height(corners[k]));
+    return std::abs(there - static_cast<double>(height(at)));
+  }
+  // Whether a sample lies on an edge between valid corners: the triangle beyond may hold it.
+  [[nodiscard]] bool on_valid_edge(const std::array<Corner, 3>& corners, const Corner& at) const {
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t p = (k + 1) % 3;
-      const std::size_t q = (k + 2) % 3;
-      if (valid(corners[p]) && valid(corners[q]) && !alone(p) && !alone(q) &&
-          LatticeTriangles::area(corners[p], corners[q], at) == 0)
-        return true;
+      const Corner& p = corners[(k + 1) % 3];
+      const Corner& q = corners[(k + 2) % 3];
+      if (valid(p) && valid(q) && LatticeTriangles::area(p, q, at) == 0) return true;
     }
     return false;
   }
@@ -80,9 +79,6 @@ class Triangulation {
     Candidate best{0, triangle, ++versions_[index], {}};
     const auto corners = mesh_.corners(triangle);
     const bool keep = kept(triangle);
-    const std::array<double, 3> z{static_cast<double>(height(corners[0])),
-                                  static_cast<double>(height(corners[1])),
-                                  static_cast<double>(height(corners[2]))};
     double nearest = mismatch;
     const auto offer_mismatch = [&](const Corner& at) {
       double distance = 0;
@@ -96,14 +92,13 @@ class Triangulation {
     for_each_sample(corners, [&](const Corner& at, const std::array<double, 3>& share) {
       if (at == corners[0] || at == corners[1] || at == corners[2]) return;
       if (valid(at) != keep) {
-        if (keep || !left_to_another(triangle, at)) offer_mismatch(at);
+        if (keep || !on_valid_edge(corners, at)) offer_mismatch(at);
         return;
       }
       if (!keep || best.error == mismatch) return;
-      const double error = std::abs(share[0] * z[0] + share[1] * z[1] + share[2] * z[2] -
-                                    static_cast<double>(height(at)));
-      if (error <= best.error) return;
-      best.error = error;
+      const double distance = error(corners, at, share);
+      if (distance <= best.error) return;
+      best.error = distance;
       best.sample = at;
     });
     if (best.error > 0) queue_.push(best);
@@ -132,19 +127,53 @@ class Triangulation {
     return top;
   }
 
-  // Looks for valid vertices without a kept triangle, and again at the triangles around them.
-  // Whether there is anything to do about them.
-  bool find_alone() {
-    std::vector<bool> alone(mesh_.vertices().size(), true);
-    for (int t = 0; t < mesh_.count(); ++t)
-      if (kept(t))
-        for (const int v : mesh_[t].corners) alone[static_cast<std::size_t>(v)] = false;
-    alone_ = std::move(alone);
+  // A triangle that holds a sample, by a walk from the last changed one.
+  [[nodiscard]] int locate(const Corner& at) const {
+    int triangle = changed_.empty() ? 0 : changed_.back();
+    for (int k = 0; k < 3; ++k) {
+      const auto corners = mesh_.corners(triangle);
+      const auto edge = static_cast<std::size_t>(k);
+      if (LatticeTriangles::area(corners[(edge + 1) % 3], corners[(edge + 2) % 3], at) >= 0)
+        continue;
+      triangle = mesh_[triangle].across[edge];
+      k = -1;
+    }
+    return triangle;
+  }
+
+  // Makes the corners of a cell vertices. No circle through them holds another sample, so that they
+  // are the corners of two triangles then. \returns whether one of them is new.
+  bool insert_cell(Index row, Index col) {
     bool any = false;
-    for (int t = 0; t < mesh_.count(); ++t) {
-      if (kept(t)) continue;
-      look_at(t);
-      any = any || (next() != nullptr && queue_.top().error == mismatch);
+    for (const Corner& at :
+         {Corner{col, row}, Corner{col + 1, row}, Corner{col, row + 1}, Corner{col + 1, row + 1}}) {
+      const int triangle = locate(at);
+      const auto corners = mesh_.corners(triangle);
+      if (std::find(corners.begin(), corners.end(), at) != corners.end()) continue;
+      insert({0, triangle, 0, at});
+      any = true;
+    }
+    return any;
+  }
+
+  // Gives triangles to cells with four valid corners of which one is left out. \returns whether
+  // that made a new vertex.
+  bool take_in() {
+    const std::vector<bool> held = held_samples(heights_, mesh_, [&](int t) { return kept(t); });
+    const Index cols = heights_.cols();
+    bool any = false;
+    for (Index r = 0; r + 1 < heights_.rows(); ++r) {
+      for (Index c = 0; c + 1 < cols; ++c) {
+        const std::array<Corner, 4> cell{Corner{c, r}, Corner{c + 1, r}, Corner{c, r + 1},
+                                         Corner{c + 1, r + 1}};
+        const auto is_held = [&](const Corner& at) {
+          return held[static_cast<std::size_t>(at.y * cols + at.x)];
+        };
+        if (!std::all_of(cell.begin(), cell.end(), [&](const Corner& at) { return valid(at); }) ||
+            std::all_of(cell.begin(), cell.end(), is_held))
+          continue;
+        any = insert_cell(r, c) || any;
+      }
     }
     return any;
   }
@@ -153,7 +182,7 @@ class Triangulation {
   void cut_out_missing() {
     do {
       while (next() != nullptr && queue_.top().error == mismatch) insert(take());
-    } while (find_alone());
+    } while (take_in());
     for (int t = 0; t < mesh_.count(); ++t) {
       if (kept(t))
         ++kept_;
@@ -220,8 +249,24 @@ class Triangulation {
       for (int& v : corners) v = number[static_cast<std::size_t>(v)];
       out.triangles.push_back(corners);
     }
-    measure(heights_, out);
+    measure(out);
     return out;
+  }
+
+  // Afresh, with a look at every sample of every triangle that is kept.
+  void measure(HeightTriangles& out) const {
+    for (int t = 0; t < mesh_.count(); ++t) {
+      if (!kept(t)) continue;
+      const auto corners = mesh_.corners(t);
+      for_each_sample(corners, [&](const Corner& at, const std::array<double, 3>& share) {
+        out.largest_error = std::max(out.largest_error, error(corners, at, share));
+      });
+    }
+    const std::vector<bool> held = held_samples(heights_, mesh_, [&](int t) { return kept(t); });
+    for (Index r = 0; r < heights_.rows(); ++r)
+      for (Index c = 0; c < heights_.cols(); ++c)
+        if (valid({c, r}) && !held[static_cast<std::size_t>(r * heights_.cols() + c)])
+          ++out.left_out;
   }
 
   GridView<const T> heights_;
@@ -231,7 +276,6 @@ class Triangulation {
   std::vector<unsigned> versions_;
   std::priority_queue<Candidate> queue_;
   std::vector<int> changed_;
-  std::vector<bool> alone_;  // vertices, as far as known
   Index kept_ = 0;
 };
 

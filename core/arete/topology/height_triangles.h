@@ -27,9 +27,9 @@ struct HeightTriangles {
 /// looked at, on edges too, so that `largest_error` holds for every one of them.
 ///
 /// Missing samples (not finite) are cut out: no triangle has one as a corner, inside or on an edge.
-/// Valid samples beside them that end in no triangle (single ones, lines one sample wide, now and
-/// then a tip) are counted in `left_out`. Beside a hole triangles reach into cells of which one
-/// corner is missing, where quads do not.
+/// Every sample of a cell with four valid corners is in a triangle; others (single ones, lines one
+/// sample wide) may be in none and are counted in `left_out`. Beside a hole triangles reach into
+/// cells of which one corner is missing, where quads do not.
 ///
 /// A plane takes two triangles. More triangles mostly mean less error, but not step by step: a new
 /// vertex also changes the triangles around it.

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <vector>
 
-#include "arete/topology/height_triangles.h"
 #include "arete/topology/lattice_triangles.h"
 
 namespace arete {
@@ -43,32 +42,19 @@ void for_each_sample(const std::array<LatticeTriangles::Corner, 3>& corners, con
   }
 }
 
-/// Sets largest_error and left_out by a look at all samples and triangles.
-template <class T>
-void measure(GridView<const T> heights, HeightTriangles& mesh) {
+/// Which samples lie in (or on edges of) those triangles that keep(number) says.
+template <class T, class Keep>
+std::vector<bool> held_samples(GridView<const T> heights, const LatticeTriangles& mesh,
+                               const Keep& keep) {
   const Index cols = heights.cols();
   std::vector<bool> held(static_cast<std::size_t>(heights.rows() * cols), false);
-  mesh.largest_error = 0;
-  for (const auto& triangle : mesh.triangles) {
-    std::array<LatticeTriangles::Corner, 3> corners;
-    std::array<double, 3> z{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index sample = mesh.samples[static_cast<std::size_t>(triangle[k])];
-      corners[k] = {sample % cols, sample / cols};
-      z[k] = static_cast<double>(heights(corners[k].y, corners[k].x));
-    }
-    for_each_sample(corners, [&](const auto& at, const std::array<double, 3>& share) {
+  for (int t = 0; t < mesh.count(); ++t) {
+    if (!keep(t)) continue;
+    for_each_sample(mesh.corners(t), [&](const auto& at, const auto&) {
       held[static_cast<std::size_t>(at.y * cols + at.x)] = true;
-      const double error = std::abs(share[0] * z[0] + share[1] * z[1] + share[2] * z[2] -
-                                    static_cast<double>(heights(at.y, at.x)));
-      mesh.largest_error = std::max(mesh.largest_error, error);
     });
   }
-  mesh.left_out = 0;
-  for (Index r = 0; r < heights.rows(); ++r)
-    for (Index c = 0; c < cols; ++c)
-      if (std::isfinite(heights(r, c)) && !held[static_cast<std::size_t>(r * cols + c)])
-        ++mesh.left_out;
+  return held;
 }
 
 }  // namespace arete
