@@ -246,9 +246,8 @@ void add_coarsen(CLI::App& program, Job& job) {
   verb->add_option("OUT", a->output, "The coarse raster, a .tif, or mesh")->required();
   verb->add_option("--scheme", a->scheme,
                    "Scheme whose refinement is undone, e.g. chaikin ('arete schemes' lists all); "
-                   "of meshes also catmull-clark, loop, loop-warren or doo-sabin, other ones if "
-                   "the mesh is a "
-                   "regular grid of quads")
+                   "of meshes catmull-clark, loop, loop-warren, doo-sabin, or any of the catalogue "
+                   "where the mesh is one grid of quads")
       ->required();
   verb->add_option("--rim", a->rim,
                    "How the boundary of an open mesh was made: smooth, sharp-corners or thirds "

@@ -1,12 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs a project that takes arete in by add_subdirectory.
 cmake_policy(VERSION 3.25)
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result OUTPUT_VARIABLE _out ERROR_VARIABLE _out)
-  if(NOT _result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\n${_out}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 # Not optimised: it is built anew each time.

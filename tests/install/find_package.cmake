@@ -3,12 +3,7 @@
 # builds and runs a project that knows nothing but find_package(arete).
 cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result OUTPUT_VARIABLE _out ERROR_VARIABLE _out)
-  if(NOT _result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\n${_out}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
 file(RENAME ${WORK}/first ${WORK}/prefix)

@@ -3,14 +3,7 @@
 # compiler and pkg-config.
 cmake_policy(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE _result OUTPUT_VARIABLE _out ERROR_VARIABLE _err
-                  OUTPUT_STRIP_TRAILING_WHITESPACE)
-  if(NOT _result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\n${_out}${_err}")
-  endif()
-  set(output ${_out} PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
 file(RENAME ${WORK}/first ${WORK}/prefix)

@@ -25,22 +25,12 @@ std::vector<Point3> points_of(GridView<const double> positions) {
   return points;
 }
 
-FaceList list_of(const MeshFaces& mesh) {
-  FaceList list;
-  std::vector<int> corners;
-  for (const auto& face : mesh.faces) {
-    corners.assign(face.begin(), face.end());
-    list.add(corners);
-  }
-  return list;
-}
-
 GridPatch grid_of(const MeshFaces& fine, GridView<const double> positions) {
   if (fine.vertices > std::numeric_limits<int>::max())
     throw InvalidField("the mesh exceeds 32-bit numbering; split it");
   const std::vector<Point3> points = points_of(positions);
   try {
-    const auto patches = recover_grids(list_of(fine), static_cast<int>(fine.vertices), points);
+    const auto patches = recover_grids(face_list(fine), static_cast<int>(fine.vertices), points);
     if (patches.size() != 1)
       refuse("the mesh has " + std::to_string(patches.size()) + " connected parts");
     if (patches.front().is_triangulated()) refuse("its cells are cut into triangles");

@@ -37,10 +37,8 @@ std::vector<Index> nearest(const GridStep& step, Index count, Boundary boundary)
 }
 
 MeshFaces faces_of(Extent extent, const GridStep& step) {
-  const FaceList list = grid_faces(extent, step.mirrored, step.wraps_rows(), step.wraps_cols());
-  MeshFaces faces{extent.rows * extent.cols, {}};
-  for (int f = 0; f < list.count(); ++f) faces.faces.emplace_back(list[f].begin(), list[f].end());
-  return faces;
+  return mesh_faces(extent.rows * extent.cols,
+                    grid_faces(extent, step.mirrored, step.wraps_rows(), step.wraps_cols()));
 }
 
 void check_rows(Index rows, Extent extent) {

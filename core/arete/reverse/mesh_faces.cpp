@@ -12,6 +12,22 @@ std::string face_text(std::size_t face) { return "face " + std::to_string(face);
 
 }  // namespace
 
+MeshFaces mesh_faces(Index vertices, const FaceList& faces) {
+  MeshFaces mesh{vertices, {}};
+  for (int f = 0; f < faces.count(); ++f) mesh.faces.emplace_back(faces[f].begin(), faces[f].end());
+  return mesh;
+}
+
+FaceList face_list(const MeshFaces& mesh) {
+  FaceList list;
+  std::vector<int> corners;
+  for (const auto& face : mesh.faces) {
+    corners.assign(face.begin(), face.end());
+    list.add(corners);
+  }
+  return list;
+}
+
 MeshNeighbours::MeshNeighbours(const MeshFaces& mesh)
     : vertex_edges_(static_cast<std::size_t>(mesh.vertices)),
       vertex_faces_(static_cast<std::size_t>(mesh.vertices)) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arete/field/grid.h"
+#include "arete/topology/face_list.h"
 
 namespace arete {
 
@@ -18,6 +19,10 @@ struct MeshFaces {
 
   [[nodiscard]] friend bool operator==(const MeshFaces&, const MeshFaces&) = default;
 };
+
+/// The same faces in the other form.
+[[nodiscard]] MeshFaces mesh_faces(Index vertices, const FaceList& faces);
+[[nodiscard]] FaceList face_list(const MeshFaces& mesh);
 
 /// The edges of a mesh and what meets at vertices: what the rules of subdivision and their reverses
 /// ask for.

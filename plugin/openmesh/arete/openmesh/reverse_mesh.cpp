@@ -34,7 +34,7 @@ std::vector<std::shared_ptr<const GridStep>> grid_steps(const MeshDetailsFile& d
 CoarsenedMesh coarsen_mesh(const MeshData& mesh, const MeshCoarsenOptions& options) {
   if (!(options.threshold.value_or(0) >= 0 && options.target_rmse.value_or(0) >= 0))
     throw InvalidField("a threshold or target RMSE must be 0 or more, in units of the mesh");
-  const MeshFaces faces = detail::faces_of(mesh);
+  const MeshFaces faces = mesh_faces(static_cast<Index>(mesh.points.size()), mesh.faces);
   const Grid<double> positions = detail::positions_of(mesh);
   MeshLevels levels = options.grid_scheme
                           ? decompose_grid_mesh(faces, positions.view(), *options.grid_scheme,
@@ -74,7 +74,7 @@ CoarsenedMesh coarsen_mesh(const MeshData& mesh, const MeshCoarsenOptions& optio
   }
   if (!levels.empty()) {
     detail::set_points(result.coarse, levels.back().coarse);
-    result.coarse.faces = detail::list_of(levels.back().mesh.coarse);
+    result.coarse.faces = face_list(levels.back().mesh.coarse);
   }
   file.coarse_faces = checksum(levels.empty() ? faces : levels.back().mesh.coarse);
   file.coarse_positions = checksum((levels.empty() ? positions : levels.back().coarse).samples());
@@ -87,7 +87,7 @@ MeshData restore_mesh(const MeshData& coarse, const MeshDetailsFile& details, in
     throw InvalidField("there are " + std::to_string(details.levels.size()) +
                        " levels of details, not " + std::to_string(levels));
   MeshData mesh = coarse;
-  MeshFaces faces = detail::faces_of(mesh);
+  MeshFaces faces = mesh_faces(static_cast<Index>(mesh.points.size()), mesh.faces);
   Grid<double> positions = detail::positions_of(mesh);
   if (checksum(faces) != details.coarse_faces) detail::foreign("checksum of its faces");
   if (!edited && checksum(positions.samples()) != details.coarse_positions)
@@ -114,7 +114,7 @@ MeshData restore_mesh(const MeshData& coarse, const MeshDetailsFile& details, in
                          "; make them again");
   }
   detail::set_points(mesh, positions);
-  mesh.faces = detail::list_of(faces);
+  mesh.faces = face_list(faces);
   return mesh;
 }
 

@@ -6,23 +6,6 @@
 
 namespace arete::openmesh::detail {
 
-MeshFaces faces_of(const MeshData& mesh) {
-  MeshFaces faces{static_cast<Index>(mesh.points.size()), {}};
-  for (int f = 0; f < mesh.faces.count(); ++f)
-    faces.faces.emplace_back(mesh.faces[f].begin(), mesh.faces[f].end());
-  return faces;
-}
-
-FaceList list_of(const MeshFaces& mesh) {
-  FaceList list;
-  std::vector<int> corners;
-  for (const auto& face : mesh.faces) {
-    corners.assign(face.begin(), face.end());
-    list.add(corners);
-  }
-  return list;
-}
-
 Grid<double> positions_of(const MeshData& mesh) {
   Grid<double> positions({static_cast<Index>(mesh.points.size()), 3});
   for (Index v = 0; v < positions.rows(); ++v) {

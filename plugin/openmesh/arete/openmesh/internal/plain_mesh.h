@@ -2,12 +2,10 @@
 #pragma once
 
 #include "arete/openmesh/mesh_io.h"
-#include "arete/reverse/mesh_faces.h"
+#include "arete/field/grid.h"
 
 namespace arete::openmesh::detail {
 
-[[nodiscard]] MeshFaces faces_of(const MeshData& mesh);
-[[nodiscard]] FaceList list_of(const MeshFaces& mesh);
 /// x, y, z, one vertex a row. \throws InvalidField naming a vertex that is not finite.
 [[nodiscard]] Grid<double> positions_of(const MeshData& mesh);
 void set_points(MeshData& mesh, const Grid<double>& positions);
