@@ -31,7 +31,7 @@ std::string serve(const std::string& arguments, const test::TemporaryFolder& fol
   const std::string log = folder.file("log");
   const std::string command = "XDG_RUNTIME_DIR=" + folder.path().string() +
                               " HOME=" + folder.path().string() + " " + source +
-                              "/tests/meshlab/with_display " + source +
+                              "/tests/support/with_display " + source +
                               "/scripts/try-meshlab --build " ARETE_BUILD_DIR " --server " +
                               arguments + " > " + log + " 2>&1";
   (void)!std::system(command.c_str());
