@@ -96,8 +96,7 @@ Grid<R> open_least_squares(const json& input, const Grid<R>& fine) {
                                             {first, first + fine.rows() - 1}, sample);
   Grid<R> coarse({n, 1});
   const Lines<R> result{coarse.row(0), n, 1, 1};
-  s.transposed().multiply({fine.row(0), fine.rows(), 1, 1}, result);
-  EnvelopeLdlt<R>(s).solve(result);
+  NormalEquations<R>(s, s.transposed()).solve({fine.row(0), fine.rows(), 1, 1}, result);
   return coarse;
 }
 

@@ -76,7 +76,7 @@ template <class R>
   for (Index i = 0; i < s.rows(); ++i) synthesis_rows.push_back(s.row(i));
   const auto keep = [&](Index row) {
     synthesis_rows[static_cast<std::size_t>(row)].push_back({s.cols() + detail.rows(), R(1)});
-    detail.push_row(local::residual_row(s, row));
+    detail.push_row(residual_row(s, row));
   };
   for (Index piece = 0; piece < pieces; ++piece) {
     const Index f = 2 * degree * piece;

@@ -16,8 +16,8 @@ namespace arete {
 ///
 /// Works over any field: exact over rationals, and stable in floating point without pivoting, for
 /// the matrix is positive definite whenever the columns of A are independent.
-/// Cost: O(n b^2) to factor, O(n b) a lane to solve. (George and Liu, Computer Solution of Large
-/// Sparse Positive Definite Systems, 1981, chapter 4.)
+/// Cost: O(n b^2) to factor; its recurrences have O(n b) entries. (George and Liu, Computer
+/// Solution of Large Sparse Positive Definite Systems, 1981, chapter 4.)
 template <class R>
 class EnvelopeLdlt {
  public:
@@ -31,18 +31,31 @@ class EnvelopeLdlt {
   /// when the columns are independent.
   [[nodiscard]] std::optional<Index> dependent_column() const { return dependent_; }
 
-  /// Solves in place. \pre there is no dependent column.
-  void solve(Lines<R> x) const {
-    const Index n = static_cast<Index>(first_.size());
-    for (Index i = 0; i < n; ++i)
-      for (Index k = first(i); k < i; ++k) add_line(x[i], x[k], R(0) - at(i, k), x.lanes);
-    for (Index i = n; i-- > 0;) {
-      const R diagonal = at(i, i);
-      R* line = x[i];
-      for (Index c = 0; c < x.lanes; ++c) line[c] = line[c] / diagonal;
+  /// L y = M f as a recurrence: row i gives y_i from f stacked upon y_0..y_{i-1}.
+  /// \pre there is no dependent column, and M has as many rows as A has columns.
+  [[nodiscard]] SparseRows<R> forward(const SparseRows<R>& m) const {
+    SparseRows<R> rows(m.cols() + m.rows());
+    for (Index i = 0; i < m.rows(); ++i) {
+      auto row = m.row(i);
+      for (Index k = first(i); k < i; ++k) row.push_back({m.cols() + k, R(0) - at(i, k)});
+      rows.push_row(std::move(row));
     }
-    for (Index i = n; i-- > 0;)
-      for (Index k = first(i); k < i; ++k) add_line(x[k], x[i], R(0) - at(i, k), x.lanes);
+    return rows;
+  }
+
+  /// D L^T x = y as a recurrence: row i gives x_i from y stacked upon x_{i+1}..x_{n-1}.
+  /// \pre there is no dependent column
+  [[nodiscard]] SparseRows<R> backward() const {
+    const Index n = static_cast<Index>(first_.size());
+    std::vector<typename SparseRows<R>::Row> columns(static_cast<std::size_t>(n));
+    for (Index i = 0; i < n; ++i) {
+      columns[static_cast<std::size_t>(i)].push_back({i, R(1) / at(i, i)});
+      for (Index k = first(i); k < i; ++k)
+        columns[static_cast<std::size_t>(k)].push_back({n + i, R(0) - at(i, k)});
+    }
+    SparseRows<R> rows(2 * n);
+    for (auto& row : columns) rows.push_row(std::move(row));
+    return rows;
   }
 
  private:

@@ -1,106 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "arete/reverse/grid_reverse.h"
 
+#include "arete/reverse/grid_reverse_lines.h"
 #include "arete/reverse/grid_reverse_local.h"
-#include "arete/reverse/runs.h"
 
 namespace arete {
 namespace {
-
-// Lanes worked on at a time: enough to fill vector registers, few enough to stay in cache. They are
-// copied together first, for a solve goes over them several times.
-constexpr Index rows_at_a_time = 32;
-constexpr Index columns_at_a_time = 64;
-
-template <class T>
-void columns_in(GridView<const T> grid, Index first, Lines<T> lines) {
-  for (Index r = 0; r < grid.rows(); ++r) std::copy_n(grid.row(r) + first, lines.lanes, lines[r]);
-}
-template <class T>
-void columns_out(Lines<const T> lines, Grid<T>& grid, Index first) {
-  for (Index r = 0; r < grid.rows(); ++r) std::copy_n(lines[r], lines.lanes, grid.row(r) + first);
-}
-
-// Rows first.. of the grid, turned so that samples of a row follow each other line by line. A few
-// columns at a time, so that what is written lies together.
-constexpr Index turned_at_a_time = 8;
-
-template <class T>
-void turn_in(GridView<const T> grid, Index first, Lines<T> lines) {
-  for (Index from = 0; from < lines.count; from += turned_at_a_time) {
-    const Index to = std::min(from + turned_at_a_time, lines.count);
-    for (Index lane = 0; lane < lines.lanes; ++lane) {
-      const T* row = grid.row(first + lane);
-      for (Index c = from; c < to; ++c) lines[c][lane] = row[c];
-    }
-  }
-}
-template <class T>
-void turn_out(Lines<const T> lines, Grid<T>& grid, Index first) {
-  for (Index from = 0; from < lines.count; from += turned_at_a_time) {
-    const Index to = std::min(from + turned_at_a_time, lines.count);
-    for (Index lane = 0; lane < lines.lanes; ++lane) {
-      T* row = grid.row(first + lane);
-      for (Index c = from; c < to; ++c) row[c] = lines[c][lane];
-    }
-  }
-}
-
-template <class T>
-void analyse_columns(const AxisReverse<T>& axis, GridView<const T> fine, Grid<T>& coarse,
-                     Grid<T>& details, int threads) {
-  for_runs(fine.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
-    LineBuffer<T> in(fine.rows(), count);
-    LineBuffer<T> low(coarse.rows(), count);
-    LineBuffer<T> high(details.rows(), count);
-    columns_in(fine, first, in.lines());
-    axis.analyse(in.lines(), low.lines(), high.lines());
-    columns_out<T>(low.lines(), coarse, first);
-    columns_out<T>(high.lines(), details, first);
-  });
-}
-
-template <class T>
-void synthesise_columns(const AxisReverse<T>& axis, const Grid<T>& coarse, const Grid<T>& details,
-                        Grid<T>& fine, int threads) {
-  for_runs(fine.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
-    LineBuffer<T> low(coarse.rows(), count);
-    LineBuffer<T> high(details.rows(), count);
-    LineBuffer<T> out(fine.rows(), count);
-    columns_in(coarse.view(), first, low.lines());
-    columns_in(details.view(), first, high.lines());
-    axis.synthesise(low.lines(), high.lines(), out.lines());
-    columns_out<T>(out.lines(), fine, first);
-  });
-}
-
-template <class T>
-void analyse_rows(const AxisReverse<T>& axis, const Grid<T>& fine, Grid<T>& coarse,
-                  Grid<T>& details, int threads) {
-  for_runs(fine.rows(), rows_at_a_time, threads, [&](Index first, Index count) {
-    LineBuffer<T> in(fine.cols(), count);
-    LineBuffer<T> low(coarse.cols(), count);
-    LineBuffer<T> high(details.cols(), count);
-    turn_in(fine.view(), first, in.lines());
-    axis.analyse(in.lines(), low.lines(), high.lines());
-    turn_out<T>(low.lines(), coarse, first);
-    turn_out<T>(high.lines(), details, first);
-  });
-}
-
-template <class T>
-void synthesise_rows(const AxisReverse<T>& axis, const Grid<T>& coarse, const Grid<T>& details,
-                     Grid<T>& fine, int threads) {
-  for_runs(fine.rows(), rows_at_a_time, threads, [&](Index first, Index count) {
-    LineBuffer<T> low(coarse.cols(), count);
-    LineBuffer<T> high(details.cols(), count);
-    LineBuffer<T> out(fine.cols(), count);
-    turn_in(coarse.view(), first, low.lines());
-    turn_in(details.view(), first, high.lines());
-    axis.synthesise(low.lines(), high.lines(), out.lines());
-    turn_out<T>(out.lines(), fine, first);
-  });
-}
 
 void check_extent(Extent actual, Extent wanted, const char* what, int step) {
   if (!(actual == wanted))
@@ -144,6 +49,14 @@ AxisPlacement GridPyramid::col_placement(int step) const {
 namespace {
 
 template <class T>
+Grid<T> copy_of(GridView<const T> samples) {
+  Grid<T> copy(samples.extent());
+  for (Index r = 0; r < samples.rows(); ++r)
+    std::copy_n(samples.row(r), samples.cols(), copy.row(r));
+  return copy;
+}
+
+template <class T>
 std::vector<GridStepAxes<T>> axes_of(const GridPyramid& pyramid, const Mask& mask,
                                      const GridReverseOptions& options, int first) {
   std::vector<GridStepAxes<T>> steps;
@@ -162,14 +75,6 @@ GridDetails<T> details_for(const GridStepAxes<T>& axes) {
           Grid<T>({axes.y.detail_count(), axes.x.detail_count()})};
 }
 
-template <class T>
-Grid<T> copy_of(GridView<const T> samples) {
-  Grid<T> copy(samples.extent());
-  for (Index r = 0; r < samples.rows(); ++r)
-    std::copy_n(samples.row(r), samples.cols(), copy.row(r));
-  return copy;
-}
-
 }  // namespace
 
 template <class T>
@@ -183,20 +88,16 @@ GridDecomposition<T> decompose_grid(GridView<const T> samples, const Scheme& sch
     return result;
   }
   for (const auto& axes : steps) result.details.push_back(details_for(axes));
-  result.coarse = Grid<T>(pyramid.extent(options.levels));
-  if (decompose_by_rows(steps, samples, result.coarse, result.details, options.threads))
+  if (all_local(steps)) {
+    result.coarse = Grid<T>(pyramid.extent(options.levels));
+    decompose_by_rows(steps, samples, result.coarse, result.details, options.threads);
     return result;
+  }
   Grid<T> before;
   for (std::size_t step = 0; step < steps.size(); ++step) {
-    const auto& [y, x] = steps[step];
     const GridView<const T> fine = step == 0 ? samples : std::as_const(before).view();
-    Grid<T> low({y.coarse_count(), fine.cols()});
-    Grid<T> high({y.detail_count(), fine.cols()});
-    analyse_columns(y, fine, low, high, options.threads);
-    Grid<T> coarse({y.coarse_count(), x.coarse_count()});
-    GridDetails<T>& details = result.details[step];
-    analyse_rows(x, low, coarse, details.cd, options.threads);
-    analyse_rows(x, high, details.dc, details.dd, options.threads);
+    Grid<T> coarse({steps[step].y.coarse_count(), steps[step].x.coarse_count()});
+    analyse_step(steps[step], fine, coarse, result.details[step], options.threads);
     before = std::move(coarse);
   }
   result.coarse = std::move(before);
@@ -225,20 +126,16 @@ Grid<T> reconstruct_grid(const GridDecomposition<T>& parts, Extent fine_extent,
     check_extent(details[k].dd.extent(), {y.detail_count(), x.detail_count()}, "block dd", step);
   }
   if (count == 0) return parts.coarse;
-  Grid<T> result(pyramid.extent(first));
-  if (reconstruct_by_rows<T>(steps, parts.coarse, details, result, options.threads)) return result;
-  Grid<T> coarse = parts.coarse;
-  for (std::size_t k = steps.size(); k-- > 0;) {
-    const auto& [y, x] = steps[k];
-    Grid<T> low({y.coarse_count(), x.fine_count()});
-    Grid<T> high({y.detail_count(), x.fine_count()});
-    synthesise_rows(x, coarse, details[k].cd, low, options.threads);
-    synthesise_rows(x, details[k].dc, details[k].dd, high, options.threads);
-    Grid<T> finer = k == 0 ? std::move(result) : Grid<T>({y.fine_count(), x.fine_count()});
-    synthesise_columns(y, low, high, finer, options.threads);
-    coarse = std::move(finer);
+  if (all_local(steps)) {
+    Grid<T> result(pyramid.extent(first));
+    reconstruct_by_rows<T>(steps, parts.coarse, details, result, options.threads);
+    return result;
   }
-  return coarse;
+  Grid<T> samples;
+  for (std::size_t k = steps.size(); k-- > 0;)
+    samples = synthesise_step(steps[k], k + 1 == steps.size() ? parts.coarse : samples, details[k],
+                              options.threads);
+  return samples;
 }
 
 template GridDecomposition<float> decompose_grid(GridView<const float>, const Scheme&,

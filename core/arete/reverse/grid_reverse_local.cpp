@@ -45,12 +45,6 @@ std::vector<Filters<T>> filters_of(const std::vector<GridStepAxes<T>>& steps) {
   return filters;
 }
 
-template <class T>
-bool all_local(const std::vector<GridStepAxes<T>>& steps) {
-  return std::all_of(steps.begin(), steps.end(),
-                     [](const auto& step) { return step.y.local() && step.x.local(); });
-}
-
 // out = row i of the matrix over rows of samples, given by `x` and `y`.
 template <class T, class X, class Y>
 void combine_rows(const SparseRows<T>& matrix, Index i, Index x_count, X&& x, Y&& y, T* out,
@@ -171,9 +165,8 @@ Index rows_a_run(Index rows, int threads) {
 }  // namespace
 
 template <class T>
-bool decompose_by_rows(const std::vector<GridStepAxes<T>>& steps, GridView<const T> fine,
+void decompose_by_rows(const std::vector<GridStepAxes<T>>& steps, GridView<const T> fine,
                        Grid<T>& coarse, std::vector<GridDetails<T>>& details, int threads) {
-  if (steps.empty() || !all_local(steps)) return false;
   const std::vector<Filters<T>> filters = filters_of(steps);
   // Runs of the first level's coarse rows; the other levels go along in proportion.
   const Index all = filters.front().coarse_rows;
@@ -195,13 +188,11 @@ bool decompose_by_rows(const std::vector<GridStepAxes<T>>& steps, GridView<const
           levels[k]->make_high(i, details[k].dc.row(i), details[k].dd.row(i));
       }
   });
-  return true;
 }
 
 template <class T>
-bool reconstruct_by_rows(const std::vector<GridStepAxes<T>>& steps, const Grid<T>& coarse,
+void reconstruct_by_rows(const std::vector<GridStepAxes<T>>& steps, const Grid<T>& coarse,
                          std::span<const GridDetails<T>> details, Grid<T>& fine, int threads) {
-  if (steps.empty() || !all_local(steps)) return false;
   const std::vector<Filters<T>> filters = filters_of(steps);
   for_runs(fine.rows(), rows_a_run(fine.rows(), threads), threads, [&](Index first, Index count) {
     std::vector<std::unique_ptr<SynthesisLevel<T>>> levels;  // the coarsest first
@@ -210,16 +201,15 @@ bool reconstruct_by_rows(const std::vector<GridStepAxes<T>>& steps, const Grid<T
           filters[k], details[k], levels.empty() ? nullptr : levels.back().get(), coarse));
     for (Index r = first; r < first + count; ++r) levels.back()->make(r, fine.row(r));
   });
-  return true;
 }
 
-template bool decompose_by_rows(const std::vector<GridStepAxes<float>>&, GridView<const float>,
+template void decompose_by_rows(const std::vector<GridStepAxes<float>>&, GridView<const float>,
                                 Grid<float>&, std::vector<GridDetails<float>>&, int);
-template bool decompose_by_rows(const std::vector<GridStepAxes<double>>&, GridView<const double>,
+template void decompose_by_rows(const std::vector<GridStepAxes<double>>&, GridView<const double>,
                                 Grid<double>&, std::vector<GridDetails<double>>&, int);
-template bool reconstruct_by_rows(const std::vector<GridStepAxes<float>>&, const Grid<float>&,
+template void reconstruct_by_rows(const std::vector<GridStepAxes<float>>&, const Grid<float>&,
                                   std::span<const GridDetails<float>>, Grid<float>&, int);
-template bool reconstruct_by_rows(const std::vector<GridStepAxes<double>>&, const Grid<double>&,
+template void reconstruct_by_rows(const std::vector<GridStepAxes<double>>&, const Grid<double>&,
                                   std::span<const GridDetails<double>>, Grid<double>&, int);
 
 }  // namespace arete

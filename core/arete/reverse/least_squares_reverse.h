@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
-#include "arete/reverse/envelope_ldlt.h"
+#include "arete/reverse/normal_equations.h"
+#include "arete/reverse/synthesis_rows.h"
 
 namespace arete {
 
@@ -23,49 +23,53 @@ template <class R>
 class LeastSquaresReverse {
  public:
   /// `anchors`: s.cols() rows of s, in order, that form an invertible matrix.
-  LeastSquaresReverse(SparseRows<R> s, std::vector<Index> anchors)
-      : anchors_(std::move(anchors)),
-        rest_(others(s.rows(), anchors_)),
-        s_(std::move(s)),
-        s_anchors_(s_.selected(anchors_)),
-        s_rest_(s_.selected(rest_)),
-        s_transposed_(s_.transposed()),
-        s_rest_transposed_(s_rest_.transposed()),
-        gram_(s_),
-        anchor_gram_(s_anchors_) {}
+  LeastSquaresReverse(const SparseRows<R>& s, const std::vector<Index>& anchors)
+      : LeastSquaresReverse(s, anchors, others(s.rows(), anchors)) {}
 
   /// False when S or its anchors' part does not have independent columns; then nothing else works.
   [[nodiscard]] bool regular() const {
     return !gram_.dependent_column() && !anchor_gram_.dependent_column();
   }
-  [[nodiscard]] Index detail_count() const { return static_cast<Index>(rest_.size()); }
+  [[nodiscard]] Index detail_count() const { return detail_.rows(); }
 
+  /// `coarse` and `details` must not overlap `fine`.
   void analyse(Lines<const R> fine, Lines<R> coarse, Lines<R> details) const {
-    s_transposed_.multiply(fine, coarse);
-    gram_.solve(coarse);
-    s_rest_.multiply(coarse, details);
-    for (Index i = 0; i < details.count; ++i) {
-      const R* sample = fine[rest_[static_cast<std::size_t>(i)]];
-      R* detail = details[i];
-      for (Index c = 0; c < details.lanes; ++c) detail[c] = sample[c] - detail[c];
-    }
+    gram_.solve(fine, coarse);
+    detail_.multiply(fine, coarse, details);
   }
 
+  /// `fine` must not overlap `coarse` and `details`.
   void synthesise(Lines<const R> coarse, Lines<const R> details, Lines<R> fine) const {
-    LineBuffer<R> solution(s_.cols(), fine.lanes);
-    LineBuffer<R> anchor_part(s_.cols(), fine.lanes);
-    s_rest_transposed_.multiply(details, solution.lines());
-    anchor_gram_.solve(solution.lines());
-    s_anchors_.multiply(solution.lines(), anchor_part.lines());
-    s_.multiply(coarse, fine);
-    for (Index i = 0; i < details.count; ++i)
-      add_line(fine[rest_[static_cast<std::size_t>(i)]], details[i], R(1), fine.lanes);
-    for (Index i = 0; i < s_.cols(); ++i)
-      add_line(fine[anchors_[static_cast<std::size_t>(i)]], anchor_part.lines()[i], R(-1),
-               fine.lanes);
+    LineBuffer<R> solution(coarse.count, fine.lanes);
+    anchor_gram_.solve(details, solution.lines());
+    rest_.multiply(coarse, details, rest_rows_, fine);
+    anchors_.multiply(coarse, solution.lines(), anchor_rows_, fine);
   }
 
  private:
+  LeastSquaresReverse(const SparseRows<R>& s, const std::vector<Index>& anchors,
+                      const std::vector<Index>& rest)
+      : gram_(s, s.transposed()),
+        anchor_gram_(s.selected(anchors), s.selected(rest).transposed()),
+        detail_(s.rows() + s.cols()),
+        rest_(s.cols() + static_cast<Index>(rest.size())),
+        anchors_(2 * s.cols()),
+        rest_rows_(rest),
+        anchor_rows_(anchors) {
+    for (const Index i : rest) {
+      detail_.push_row(residual_row(s, i));
+      auto row = s.row(i);
+      row.push_back({s.cols() + rest_.rows(), R(1)});
+      rest_.push_row(std::move(row));
+    }
+    // anchor_gram_ gives -y, from +S_rest^T e_rest.
+    for (const Index i : anchors) {
+      auto row = s.row(i);
+      for (auto& entry : s.row(i)) row.push_back({s.cols() + entry.col, R(0) - entry.weight});
+      anchors_.push_row(std::move(row));
+    }
+  }
+
   static std::vector<Index> others(Index rows, const std::vector<Index>& anchors) {
     std::vector<Index> rest;
     for (Index i = 0; i < rows; ++i)
@@ -73,15 +77,13 @@ class LeastSquaresReverse {
     return rest;
   }
 
-  std::vector<Index> anchors_;
-  std::vector<Index> rest_;
-  SparseRows<R> s_;
-  SparseRows<R> s_anchors_;
-  SparseRows<R> s_rest_;
-  SparseRows<R> s_transposed_;
-  SparseRows<R> s_rest_transposed_;
-  EnvelopeLdlt<R> gram_;
-  EnvelopeLdlt<R> anchor_gram_;
+  NormalEquations<R> gram_;         // fine samples to coarse ones
+  NormalEquations<R> anchor_gram_;  // details to the -y above
+  SparseRows<R> detail_;            // of fine upon coarse
+  SparseRows<R> rest_;              // fine samples that are no anchors, of coarse upon details
+  SparseRows<R> anchors_;           // and the anchors, of coarse upon -y
+  std::vector<Index> rest_rows_;
+  std::vector<Index> anchor_rows_;
 };
 
 }  // namespace arete

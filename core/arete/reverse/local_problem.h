@@ -46,15 +46,6 @@ struct Problem {
   [[nodiscard]] static Index floor_modulo(Index k, Index n) { return ((k % n) + n) % n; }
 };
 
-/// detail = fine sample minus its prediction S c, appended to both matrices' rows.
-template <class R>
-[[nodiscard]] typename SparseRows<R>::Row residual_row(const SparseRows<R>& s, Index row) {
-  typename SparseRows<R>::Row entries{{row, R(1)}};
-  for (const auto& entry : s.row(row))
-    entries.push_back({s.rows() + entry.col, R(0) - entry.weight});
-  return entries;
-}
-
 /// The common end of the rules: coarse samples are known as filters; a row of `special` has its
 /// own synthesis beside S c (entries over details), every other row keeps its residual.
 template <class R>

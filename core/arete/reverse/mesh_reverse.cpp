@@ -4,7 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <numeric>
 
-#include "arete/reverse/envelope_ldlt.h"
+#include "arete/reverse/normal_equations.h"
 
 namespace arete {
 namespace {
@@ -147,12 +147,11 @@ Grid<double> solved(const SparseRows<double>& s, GridView<const double> fine) {
 }
 
 Grid<Rational> solved(const SparseRows<Rational>& s, GridView<const Rational> fine) {
-  const EnvelopeLdlt<Rational> solver(s);
+  const NormalEquations<Rational> solver(s, s.transposed());
   if (solver.dependent_column()) throw InvalidField(undetermined);
   Grid<Rational> result({s.cols(), fine.cols()});
   const Lines<Rational> lines{result.row(0), result.rows(), result.cols(), result.cols()};
-  s.transposed().multiply({fine.row(0), fine.rows(), fine.cols(), fine.stride()}, lines);
-  solver.solve(lines);
+  solver.solve({fine.row(0), fine.rows(), fine.cols(), fine.stride()}, lines);
   return result;
 }
 

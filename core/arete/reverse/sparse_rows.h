@@ -64,12 +64,29 @@ class SparseRows {
     return result;
   }
 
-  /// out = A (x stacked upon y), where x.count + y.count = cols(). `out` must not overlap them.
+  /// out = A (x stacked upon y), where x.count + y.count = cols(). Rows of `out` are made in order
+  /// and must not overlap the lines that they or later rows read.
   void multiply(Lines<const R> x, Lines<const R> y, Lines<R> out) const {
     std::vector<const R*> taps(most_taps_);
     for (Index i = 0; i < rows(); ++i) multiply_row(i, x, y, out[i], taps);
   }
   void multiply(Lines<const R> x, Lines<R> out) const { multiply(x, x.part(0, 0), out); }
+  /// Row i goes to out[places[i]]; other lines of `out` are left alone.
+  void multiply(Lines<const R> x, Lines<const R> y, const std::vector<Index>& places,
+                Lines<R> out) const {
+    std::vector<const R*> taps(most_taps_);
+    for (Index i = 0; i < rows(); ++i)
+      multiply_row(i, x, y, out[places[static_cast<std::size_t>(i)]], taps);
+  }
+
+  /// A recurrence: y_i = row i applied to (x stacked upon y), i = 0, 1, ...; row i must read no
+  /// y_j with j >= i. The y must not overlap x.
+  void recur(Lines<const R> x, Lines<R> y) const { multiply(x, y, y); }
+  /// The same from the last row to the first; row i must read no y_j with j <= i.
+  void recur_back(Lines<const R> x, Lines<R> y) const {
+    std::vector<const R*> taps(most_taps_);
+    for (Index i = rows(); i-- > 0;) multiply_row(i, x, y, y[i], taps);
+  }
 
   /// The lines of row i alone, into `out`.
   void multiply_row(Index i, Lines<const R> x, R* out) const {

@@ -50,4 +50,13 @@ template <class R>
   });
 }
 
+/// Fine sample `row` minus its prediction: row `row` of (I | -S), of fine stacked upon coarse.
+template <class R>
+[[nodiscard]] typename SparseRows<R>::Row residual_row(const SparseRows<R>& s, Index row) {
+  typename SparseRows<R>::Row entries{{row, R(1)}};
+  for (const auto& entry : s.row(row))
+    entries.push_back({s.rows() + entry.col, R(0) - entry.weight});
+  return entries;
+}
+
 }  // namespace arete

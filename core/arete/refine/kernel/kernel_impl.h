@@ -117,6 +117,8 @@ void combine(T* out, const T* const* lines, const T* weights, int taps, Index co
       return combine_with<T, 5>(out, lines, weights, taps, count);
     case 6:
       return combine_with<T, 6>(out, lines, weights, taps, count);
+    case 7:
+      return combine_with<T, 7>(out, lines, weights, taps, count);
     case 8:
       return combine_with<T, 8>(out, lines, weights, taps, count);
     default:
