@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 #include "arete/reverse/byte_stream.h"
 #include "arete/reverse/details_file.h"
@@ -33,26 +35,37 @@ void read_raster(const Bytes& bytes) {
   }
 }
 
+// Level i of the file, over a mesh and its step if that is one of grids.
+void restore(const MeshDetailsFile& file, std::size_t i, const MeshFaces& coarse,
+             const std::optional<GridStep>& grid) {
+  const MeshLevelDetails& level = file.levels[i];
+  const MeshDecomposition<double> step{
+      file.rule,
+      {coarse, level.place, level.faces, grid ? std::make_shared<const GridStep>(*grid) : nullptr},
+      {},
+      level.details,
+      file.lossy ? Grid<double>(level.details.extent()) : level.remainder,
+      true};
+  try {
+    (void)reconstruct_mesh<double>(step, Grid<double>({coarse.vertices, 3}).view());
+    (void)refined_faces(step.mesh, file.rule.scheme);
+  } catch (const InvalidField&) {
+  }
+}
+
 void read_mesh(const Bytes& bytes) {
   try {
     const MeshDetailsFile file = decode_mesh_details(bytes, unpack);
-    // On a mesh it does not belong to.
+    // On a mesh it does not belong to, and for grids on the one it claims.
     const MeshFaces tetrahedron{4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-    for (const MeshLevelDetails& level : file.levels) {
-      const MeshDecomposition<double> step{
-          file.rule,
-          {tetrahedron, level.place, level.faces},
-          {},
-          level.details,
-          file.lossy ? Grid<double>(level.details.extent()) : level.remainder,
-          true};
-      try {
-        (void)reconstruct_mesh<double>(step, Grid<double>({4, 3}).view());
-        (void)refined_faces(step.mesh, file.rule.scheme);
-      } catch (const InvalidField&) {
-      }
+    std::optional<GridStep> grid = file.grid;
+    for (std::size_t i = 0; i < file.levels.size(); ++i) {
+      if (grid && i > 0) grid = grid->coarser();
+      restore(file, i, tetrahedron, grid);
+      if (grid) restore(file, i, grid->coarse_faces(), grid);
     }
   } catch (const InvalidDetails&) {
+  } catch (const InvalidField&) {  // a grid with no coarser one
   }
 }
 

@@ -63,6 +63,27 @@ TEST(raster, a_file_cut_off_in_the_middle_says_which_row_is_missing) {
   }
 }
 
+// GDAL alone would try 2^199 times to find the last row.
+TEST(raster, a_text_grid_cut_off_says_so_whichever_row_is_asked_for_first) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("cut.asc");
+  std::ofstream text(path);
+  text << "ncols 3\nnrows 200\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int r = 0; r < 100; ++r) text << r << " 2 3\n";
+  text.close();
+  const gdal::Raster raster(path);
+  const gdal::BandSource<float> rows(raster, raster.bands().front());
+  std::vector<float> row(3);
+  for (const Index asked : {199, 150}) try {
+      rows.read(asked, row.data());
+      ADD_FAILURE() << "read row " << asked;
+    } catch (const gdal::RasterError& error) {
+      EXPECT_NE(std::string(error.what()).find("row 100 "), std::string::npos) << error.what();
+    }
+  rows.read(99, row.data());
+  EXPECT_EQ(row, (std::vector<float>{99, 2, 3}));
+}
+
 TEST(raster, a_block_beyond_the_memory_is_refused_before_gdal_decodes_it) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("claim.tif");

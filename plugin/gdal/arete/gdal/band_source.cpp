@@ -10,11 +10,18 @@ namespace arete::gdal {
 
 template <class T>
 void BandSource<T>::read(Index r, T* out) const {
-  constexpr GDALDataType type = std::is_same_v<T, float> ? GDT_Float32 : GDT_Float64;
   const std::lock_guard<std::mutex> lock(mutex_);
+  const int row = static_cast<int>(r);
+  if (raster_.rows_follow_each_other())
+    for (; known_rows_ < row; ++known_rows_) read_row(known_rows_, out);
+  read_row(row, out);
+}
+
+template <class T>
+void BandSource<T>::read_row(int row, T* out) const {
+  constexpr GDALDataType type = std::is_same_v<T, float> ? GDT_Float32 : GDT_Float64;
   const ErrorCollector errors;
   GDALRasterBand* band = raster_.dataset().GetRasterBand(band_.number);
-  const int row = static_cast<int>(r);
   const int cols = static_cast<int>(raster_.extent().cols);
   CPLErr status = band->RasterIO(GF_Read, 0, row, cols, 1, out, cols, 1, type, 0, 0, nullptr);
   if (status == CE_None && (band_.masked || band_.alpha_band != 0)) {
@@ -28,7 +35,7 @@ void BandSource<T>::read(Index r, T* out) const {
   }
   if (status != CE_None)
     throw RasterError(raster_.path() + ", band " + std::to_string(band_.number) + ", row " +
-                      std::to_string(r) + " cannot be read (GDAL: " + errors.message() +
+                      std::to_string(row) + " cannot be read (GDAL: " + errors.message() +
                       "); the file may be damaged or cut off");
 }
 

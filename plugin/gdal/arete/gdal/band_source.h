@@ -21,9 +21,12 @@ class BandSource final : public RowSource<T> {
   void read(Index r, T* out) const override;
 
  private:
+  void read_row(int row, T* out) const;
+
   const Raster& raster_;
   const BandInfo& band_;
   mutable std::mutex mutex_;
+  mutable int known_rows_ = 0;  ///< where rows follow each other: those that were read once
   mutable std::vector<std::uint8_t> mask_;
 };
 

@@ -29,6 +29,13 @@ Metadata to_metadata(char** list) {
   return metadata;
 }
 
+// Grids as text, one driver under three names.
+bool is_text_grid(GDALDataset& dataset) {
+  const GDALDriver* driver = dataset.GetDriver();
+  const std::string name = driver != nullptr ? driver->GetDescription() : "";
+  return name == "AAIGrid" || name == "GRASSASCIIGrid" || name == "ISG";
+}
+
 }  // namespace
 
 void register_formats() {
@@ -54,6 +61,7 @@ Raster::Raster(const std::string& path) : path_(path) {
                       "; give a GeoTIFF or another raster that 'gdalinfo' opens");
   }
   extent_ = {dataset_->GetRasterYSize(), dataset_->GetRasterXSize()};
+  rows_follow_each_other_ = is_text_grid(*dataset_);
   read_bands();
   check_claims();
   read_reference();

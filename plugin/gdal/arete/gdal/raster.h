@@ -67,6 +67,10 @@ class Raster {
   /// Bytes of its largest block: GDAL decodes all of it for any one sample.
   [[nodiscard]] double block_bytes() const { return block_bytes_; }
 
+  /// Whether GDAL finds the rows of this format only by reading those before: asked first for a row
+  /// behind the end of a file cut off, it would try 2^row times.
+  [[nodiscard]] bool rows_follow_each_other() const { return rows_follow_each_other_; }
+
   /// Whether samples of the band can be missing.
   [[nodiscard]] static bool has_holes(const BandInfo& band) {
     return band.masked || band.floating || band.alpha_band != 0;
@@ -89,6 +93,7 @@ class Raster {
   Extent extent_;
   std::vector<BandInfo> bands_;
   double block_bytes_ = 0;
+  bool rows_follow_each_other_ = false;
   std::optional<Georeference> georeference_;
   std::string crs_;
   bool geographic_ = false;
