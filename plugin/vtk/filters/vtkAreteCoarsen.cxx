@@ -5,6 +5,7 @@
 #include "arete/reverse/threshold.h"
 #include "internal/guarded.h"
 #include "internal/image_notes.h"
+#include "internal/image_place.h"
 #include "internal/settings.h"
 #include "internal/structured_refine.h"
 #include "internal/structured_request.h"
@@ -77,24 +78,8 @@ VtkExtent coarse_extent(const Reverse& reverse, const VtkExtent& whole) {
           whole[5]};
 }
 
-void announce_place(vtkInformation* in, vtkInformation* out, const Reverse& reverse,
-                    const VtkExtent& whole) {
-  double spacing[3]{1, 1, 1};
-  double origin[3]{0, 0, 0};
-  double direction[9]{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  if (in->Has(vtkDataObject::SPACING())) in->Get(vtkDataObject::SPACING(), spacing);
-  if (in->Has(vtkDataObject::ORIGIN())) in->Get(vtkDataObject::ORIGIN(), origin);
-  if (in->Has(vtkDataObject::DIRECTION())) in->Get(vtkDataObject::DIRECTION(), direction);
-  const auto cols = reverse.pyramid.col_placement(reverse.options.levels);
-  const auto rows = reverse.pyramid.row_placement(reverse.options.levels);
-  const double first[2]{(whole[0] + cols.first) * spacing[0], (whole[2] + rows.first) * spacing[1]};
-  for (int row = 0; row < 3; ++row)
-    origin[row] += direction[3 * row] * first[0] + direction[3 * row + 1] * first[1];
-  spacing[0] *= cols.spacing;
-  spacing[1] *= rows.spacing;
-  out->Set(vtkDataObject::SPACING(), spacing, 3);
-  out->Set(vtkDataObject::ORIGIN(), origin, 3);
-  out->Set(vtkDataObject::DIRECTION(), direction, 9);
+StepsAlong steps_along(const arete::AxisPlacement& place, int first) {
+  return {first + place.first, place.spacing};
 }
 
 // Takes one plane apart; its details go to `file`.
@@ -136,8 +121,10 @@ int vtkAreteCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** 
       return 1;
     }
     const Reverse reverse = reverse_of(this, whole);
-    announce(out, coarse_extent(reverse, whole));
-    announce_place(in, out, reverse, whole);
+    const int levels = reverse.options.levels;
+    announce_image(in, out, coarse_extent(reverse, whole),
+                   steps_along(reverse.pyramid.col_placement(levels), whole[0]),
+                   steps_along(reverse.pyramid.row_placement(levels), whole[2]));
     return 1;
   });
 }
@@ -176,10 +163,7 @@ int vtkAreteCoarsen::RequestData(vtkInformation*, vtkInformationVector** inputs,
                             notes.text(),
                             {}};
 
-    output->SetExtent(coarse_extent(reverse, whole).data());
-    output->SetOrigin(out->Get(vtkDataObject::ORIGIN()));
-    output->SetSpacing(out->Get(vtkDataObject::SPACING()));
-    output->SetDirectionMatrix(out->Get(vtkDataObject::DIRECTION()));
+    lay_out(out, coarse_extent(reverse, whole), output);
     output->GetFieldData()->ShallowCopy(input->GetFieldData());
     Work work(this, notes.bands());
     arete::ValidSamples valid;

@@ -113,10 +113,7 @@ int vtkAreteRefineGrid::RefineStructured(vtkInformation* in, vtkInformation* out
   if (is_empty(wanted) || input->GetNumberOfPoints() == 0 || !input->GetPoints()) return 1;
 
   const StructuredPiece piece(plan_of(this, whole_extent(in)), wanted);
-  HeldInput held;
-  input->GetExtent(held.extent.data());
-  held.ghosts = input->GetPointGhostArray();
-  check_input(held.extent, piece);
+  const HeldInput held = held_for(piece, input);
   const PointRefiner refiner(piece, held, this->NumberOfThreads);
 
   vtkDataArray* coordinates = input->GetPoints()->GetData();

@@ -2,6 +2,7 @@
 #include "vtkAreteRefineImage.h"
 
 #include "internal/guarded.h"
+#include "internal/image_place.h"
 #include "internal/structured_refine.h"
 #include "internal/structured_request.h"
 #include "vtkDataObject.h"
@@ -53,23 +54,8 @@ StructuredPlan plan_of(vtkAreteRefineImage* filter, const VtkExtent& whole) {
                          filter->GetLimit() != 0, whole);
 }
 
-// Input index i lies at origin + D (i spacing); result index i at the new origin likewise.
-void announce_place(vtkInformation* in, vtkInformation* out, const StructuredPlan& plan) {
-  double spacing[3]{1, 1, 1};
-  double origin[3]{0, 0, 0};
-  double direction[9]{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  if (in->Has(vtkDataObject::SPACING())) in->Get(vtkDataObject::SPACING(), spacing);
-  if (in->Has(vtkDataObject::ORIGIN())) in->Get(vtkDataObject::ORIGIN(), origin);
-  if (in->Has(vtkDataObject::DIRECTION())) in->Get(vtkDataObject::DIRECTION(), direction);
-  const double first[2]{arete::to_double(plan.x.first_position()) * spacing[0],
-                        arete::to_double(plan.y.first_position()) * spacing[1]};
-  for (int row = 0; row < 3; ++row)
-    origin[row] += direction[3 * row] * first[0] + direction[3 * row + 1] * first[1];
-  spacing[0] *= arete::to_double(plan.x.spacing());
-  spacing[1] *= arete::to_double(plan.y.spacing());
-  out->Set(vtkDataObject::SPACING(), spacing, 3);
-  out->Set(vtkDataObject::ORIGIN(), origin, 3);
-  out->Set(vtkDataObject::DIRECTION(), direction, 9);
+StepsAlong steps_along(const arete::AxisPlan& axis) {
+  return {arete::to_double(axis.first_position()), arete::to_double(axis.spacing())};
 }
 
 }  // namespace
@@ -85,8 +71,7 @@ int vtkAreteRefineImage::RequestInformation(vtkInformation*, vtkInformationVecto
       return 1;
     }
     const StructuredPlan plan = plan_of(this, whole);
-    announce(out, plan.output);
-    announce_place(in, out, plan);
+    announce_image(in, out, plan.output, steps_along(plan.x), steps_along(plan.y));
     if (vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
             in, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS)) {
       int type = this->OutputScalarType;
@@ -126,16 +111,10 @@ int vtkAreteRefineImage::RequestData(vtkInformation*, vtkInformationVector** inp
     if (is_empty(wanted) || input->GetNumberOfPoints() == 0) return 1;
 
     const StructuredPiece piece(plan_of(this, whole_extent(in)), wanted);
-    HeldInput held;
-    input->GetExtent(held.extent.data());
-    held.ghosts = input->GetPointGhostArray();
-    check_input(held.extent, piece);
+    const HeldInput held = held_for(piece, input);
     const PointRefiner refiner(piece, held, this->NumberOfThreads);
 
-    output->SetExtent(const_cast<int*>(wanted.data()));
-    output->SetOrigin(out->Get(vtkDataObject::ORIGIN()));
-    output->SetSpacing(out->Get(vtkDataObject::SPACING()));
-    output->SetDirectionMatrix(out->Get(vtkDataObject::DIRECTION()));
+    lay_out(out, wanted, output);
     output->GetFieldData()->ShallowCopy(input->GetFieldData());
     Work work(this, attribute_steps(input, refiner));
     if (!refine_attributes(input, output, piece, held, refiner, PointRule::scheme,

@@ -25,6 +25,17 @@ void announce(vtkInformation* out, const VtkExtent& whole);
 /// \throws InvalidField if the input at hand does not cover what the piece needs.
 void check_input(const VtkExtent& held, const StructuredPiece& piece);
 
+/// What is at hand of an image or structured grid, for a piece of the result.
+/// \throws InvalidField see check_input
+template <class Structured>
+[[nodiscard]] HeldInput held_for(const StructuredPiece& piece, Structured* input) {
+  HeldInput held;
+  input->GetExtent(held.extent.data());
+  held.ghosts = input->GetPointGhostArray();
+  check_input(held.extent, piece);
+  return held;
+}
+
 /// Point arrays, vtkGhostType and cell data of `input` to those of `output`. `type`: 0 or
 /// VTK_FLOAT or VTK_DOUBLE. False if aborted.
 bool refine_attributes(vtkDataSet* input, vtkDataSet* output, const StructuredPiece& piece,
