@@ -7,6 +7,7 @@ option(ARETE_BUILD_EXAMPLES "Build the examples" ${PROJECT_IS_TOP_LEVEL})
 option(ARETE_BUILD_BENCH "Build the benchmarks" OFF)
 option(ARETE_WARNINGS_AS_ERRORS "Treat warnings in our own code as errors" OFF)
 option(ARETE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(ARETE_COVERAGE "Count which lines of core are run (gcc; see scripts/check-coverage)" OFF)
 option(ARETE_FUZZ "Build libFuzzer programs, tests/fuzz (clang only)" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

@@ -14,6 +14,13 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL runtime development program)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Libraries that no installed package holds, or that lie where the loader does not look: our own, which
+# the packages name themselves, and MeshLab's.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/core)
+if(ARETE_MESHLAB_LIBRARY)
+  get_filename_component(_meshlab_folder ${ARETE_MESHLAB_LIBRARY} DIRECTORY)
+  list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${_meshlab_folder})
+endif()
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
 
 # arete_package(component package section "summary" DEPENDS ...)

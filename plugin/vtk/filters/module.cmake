@@ -30,6 +30,11 @@ set(ARETE_PYTHON_DIR "${ARETE_PYTHON_DIR}" PARENT_SCOPE)
 
 # vtk_module_build installs targets and properties, but no package file.
 include(CMakePackageConfigHelpers)
+get_target_property(_core_type arete_core TYPE)
+set(ARETE_CORE_IS_SHARED FALSE)
+if(_core_type STREQUAL "SHARED_LIBRARY")
+  set(ARETE_CORE_IS_SHARED TRUE)
+endif()
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/AreteVTKConfig.cmake.in ${PROJECT_BINARY_DIR}/AreteVTKConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/AreteVTK)
