@@ -12,8 +12,9 @@ namespace arete::cgal {
 
 /// How a height is found between scattered points.
 enum class GridMethod {
-  natural_neighbour,  ///< Sibson 1981, C^1 with gradients fitted at the points (by CGAL): passes
-                      ///< through the points, reproduces a + b.x + c |x|^2 inside the hull
+  natural_neighbour,  ///< Sibson 1981, C^1 with gradients fitted at the points: passes through the
+                      ///< points, reproduces a + b.x + c |x|^2 inside the hull; noise in the
+                      ///< heights is not amplified, however close points lie
   linear,             ///< on the Delaunay triangles; passes through the points, never overshoots
   inverse_distance    ///< Shepard 1968 on the nearest points, whose weights fade out towards the
                       ///< next one (Franke 1982); passes through the points, flat there
