@@ -59,8 +59,11 @@ void write_csv(const std::filesystem::path& path, const MapRange& x, const MapRa
 }
 
 std::vector<MapCell> compute(const MapPlane& plane, const MapRange& x, const MapRange& y,
-                             int max_power) {
-  SmoothnessOptions options = map_options(max_power);
+                             const MapArguments& a) {
+  SmoothnessOptions options = map_options(a.max_power);
+  // A line has few points, and its graph is read off: there the bounds are as sharp as those of
+  // `arete analyze`.
+  if (a.show == "hoelder" && y.keys.empty()) options.jsr = {};
   options.jsr.stop = is_interrupted;
   ProgressBar bar("mapping");
   const double total = static_cast<double>(x.values.size() * y.values.size());
@@ -132,7 +135,7 @@ void draw_map(const MapArguments& a) {
 #ifdef ARETE_HAVE_VTK
   const auto size = picture_size(a.size, y);
 #endif
-  const std::vector<MapCell> cells = compute(plane, x, y, a.max_power);
+  const std::vector<MapCell> cells = compute(plane, x, y, a);
   stop_if_interrupted();
   std::vector<PrintedRegion> regions;
   if (form == ".png" && !a.no_outlines) regions = printed_regions(plane, x, y);
@@ -159,8 +162,8 @@ void add_map(CLI::App& program, Job& job) {
       ->required();
   verb->add_option("--y", a->y, "The same for the other axis; without it a map of one parameter");
   verb->add_option("--show", a->show,
-                   "What the colours say: order (certified C^k) or hoelder (the proved lower bound "
-                   "of the exponent)")
+                   "What is shown: order (certified C^k) or hoelder (the proved lower bound of the "
+                   "exponent; over one parameter as a graph)")
       ->check(CLI::IsMember({"order", "hoelder"}))
       ->capture_default_str();
   verb->add_option("--max-power", a->max_power, "Highest power of the norms that are tried")

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "arete/vtk/plot_functions.h"
 #include "arete/vtk/plot_map.h"
 #include "cli/error.h"
 
@@ -90,6 +91,20 @@ struct ExponentBins {
   }
 };
 
+// Over one parameter the exponent's bound is a function; where no convergence is proved it is 0.
+void draw_exponents(const MapPicture& picture, std::array<int, 2> size,
+                    const std::filesystem::path& png) {
+  vtk::FunctionGraph graph{"Hoelder exponent, proved lower bound",
+                           Grid<double>({picture.x.count(), 2})};
+  for (Index i = 0; i < picture.x.count(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const MapCell& cell = picture.cells[at];
+    graph.points(i, 0) = to_double(picture.x.values[at]);
+    graph.points(i, 1) = cell.valid && cell.certified >= 0 ? cell.hoelder_lower : 0;
+  }
+  vtk::plot_functions({graph}, picture.x.name, size, png);
+}
+
 // `theorem 1 (Zhao, Peng, Ye), C^0` -> `theorem 1, C^0`
 std::string without_authors(std::string name) {
   const auto open = name.find(" (");
@@ -113,6 +128,10 @@ void draw_map_picture(const MapPicture& picture, std::array<int, 2> size,
                       const std::filesystem::path& png) {
   const MapRange& x = picture.x;
   const MapRange& y = picture.y;
+  if (picture.hoelder && y.keys.empty() && x.count() > 1) {
+    draw_exponents(picture, size, png);
+    return;
+  }
   vtk::ClassMap map{{x.name, to_double(x.values.front()), to_double(x.values.back())},
                     {y.name, to_double(y.values.front()), to_double(y.values.back())},
                     Grid<int>({y.count(), x.count()}),

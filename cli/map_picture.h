@@ -15,7 +15,8 @@ struct MapPicture {
   const MapRange& y;
   const std::vector<MapCell>& cells;
   const std::vector<PrintedRegion>& regions;
-  bool hoelder = false;  ///< colours for the exponent's lower bound instead of the order
+  /// The exponent's lower bound instead of the order: as colours, over one parameter as a graph.
+  bool hoelder = false;
 };
 
 /// `1000x800`; an empty text gives the default, which is low for a map of one parameter.

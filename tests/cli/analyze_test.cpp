@@ -175,6 +175,30 @@ TEST(cli_map, printed_regions_are_named_with_where_they_hold) {
   EXPECT_EQ(hoelder.out.find("holds"), std::string::npos) << hoelder.out;
 }
 
+// Over one parameter the exponents are as sharp as those of `arete analyze`, and drawn as a graph.
+TEST(cli_map, exponents_along_a_line_are_those_of_analyze) {
+  const test::TemporaryFolder folder;
+  const std::string table = folder.file("line.csv");
+  ASSERT_EQ(
+      run_arete({"map", "ternary-two-step", table, "--x", "b=-1/5:1/10:2", "--show", "hoelder"})
+          .exit_code,
+      0);
+  std::ifstream stream(table);
+  std::string header, first, last;
+  std::getline(stream, header);
+  std::getline(stream, first);
+  std::getline(stream, last);
+  // The published exponents at b = -1/5 and 1/10, see docs/errata.md.
+  EXPECT_NEAR(std::stod(first.substr(first.rfind(',') + 1)), 2.090713515, 1e-8);
+  EXPECT_NEAR(std::stod(last.substr(last.rfind(',') + 1)), 2.327733685, 1e-8);
+  const std::string graph = folder.file("line.png");
+  ASSERT_EQ(run_arete({"map", "ternary-two-step", graph, "--x", "b=-1/5:1/10:4", "--show",
+                       "hoelder", "--size", "500x300"})
+                .exit_code,
+            0);
+  EXPECT_GT(std::filesystem::file_size(graph), 2000u);
+}
+
 TEST(cli_map, bad_ranges_are_misuse) {
   const test::TemporaryFolder folder;
   for (const char* x : {"omega", "omega=0:1", "omega=0:1:0", "omega=a:1:5", "=0:1:5", "w=0:1:5"}) {
