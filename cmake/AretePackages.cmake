@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Debian packages by CPack: libarete1, libarete-dev, arete and, where the plugin is built,
+# Debian packages by CPack: libarete1, libarete-dev, arete and, where they are built, arete-vtk and
 # meshlab-arete. `scripts/make-packages` configures for it (preset `package`) and runs CPack.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME arete)
@@ -45,6 +45,14 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libgdal-dev, libvtk9-dev, libopen
 arete_package(program arete science
               "Parametric subdivision for terrain: the program"
               DEPENDS "libarete${ARETE_ABI_VERSION} ${_same}")
+if(ARETE_HAVE_VTK)
+  # Of its own, so that the library asks for no VTK.
+  list(APPEND CPACK_COMPONENTS_ALL vtk)
+  arete_package(vtk arete-vtk science
+                "Parametric subdivision for terrain: filters for VTK, in C++ and Python"
+                DEPENDS "libarete${ARETE_ABI_VERSION} ${_same}")
+  set(CPACK_DEBIAN_VTK_PACKAGE_SUGGESTS "libarete-dev, libvtk9-dev, python3-vtk9")
+endif()
 if(TARGET filter_arete)
   list(APPEND CPACK_COMPONENTS_ALL meshlab)
   # The plugin is made for one release of MeshLab and must not meet another.
@@ -54,7 +62,7 @@ if(TARGET filter_arete)
                         "meshlab (<< 2021)")
 endif()
 
-foreach(_component runtime development program meshlab)
+foreach(_component runtime development program vtk meshlab)
   if(_component IN_LIST CPACK_COMPONENTS_ALL)
     string(TOUPPER ${_component} _upper)
     install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian-copyright

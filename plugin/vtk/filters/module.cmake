@@ -7,6 +7,7 @@ vtk_module_scan(MODULE_FILES ${CMAKE_CURRENT_LIST_DIR}/vtk.module
                 PROVIDES_MODULES _arete_modules WANT_BY_DEFAULT ON ENABLE_TESTS OFF)
 vtk_module_build(MODULES ${_arete_modules} PACKAGE AreteVTK INSTALL_EXPORT AreteVTK
                  CMAKE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/AreteVTK
+                 HEADERS_COMPONENT vtk TARGETS_COMPONENT vtk
                  INSTALL_HEADERS ON HEADERS_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/AreteVTK
                  LIBRARY_NAME_SUFFIX "" VERSION ${PROJECT_VERSION} SOVERSION 0)
 
@@ -20,7 +21,7 @@ if(TARGET VTK::WrappingPythonCore AND Python3_FOUND AND NOT ARETE_SANITIZE)
   vtk_module_wrap_python(MODULES ${_arete_modules} PYTHON_PACKAGE aretevtk
                          MODULE_DESTINATION ${ARETE_PYTHON_DIR}
                          CMAKE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/AreteVTK
-                         INSTALL_HEADERS OFF LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR}
+                         COMPONENT vtk INSTALL_HEADERS OFF LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR}
                          TARGET AreteVTK::python)
 else()
   message(STATUS "arete vtk: filters are not wrapped for Python")
@@ -42,4 +43,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/AreteVTKConfigVersion.cma
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/AreteVTKConfig.cmake
               ${PROJECT_BINARY_DIR}/AreteVTKConfigVersion.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/AreteVTK)
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/AreteVTK COMPONENT vtk)
