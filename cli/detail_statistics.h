@@ -18,4 +18,10 @@ struct DetailStatistics {
 [[nodiscard]] DetailStatistics detail_statistics(const gdal::Raster& input,
                                                  const gdal::Raster& result, double factor);
 
+/// The same of samples in memory.
+[[nodiscard]] DetailStatistics detail_statistics(GridView<const float> input,
+                                                 GridView<const float> result, double factor);
+[[nodiscard]] DetailStatistics detail_statistics(GridView<const double> input,
+                                                 GridView<const double> result, double factor);
+
 }  // namespace arete::cli

@@ -23,6 +23,7 @@
 #include "cli/verb.h"
 #ifdef ARETE_HAVE_VTK
 #include "cli/refine_surface.h"
+#include "cli/render_options.h"
 #endif
 #ifdef ARETE_HAVE_OPENMESH
 #include "cli/refine_mesh.h"
@@ -46,6 +47,8 @@ struct RefineArguments {
   std::vector<std::string> creation_options;
   int band = 1;
   std::optional<Index> most_triangles;
+  std::string palette;
+  std::string texture;
   bool limit = false;
   std::optional<double> roughness;
   std::optional<double> relief;
@@ -58,11 +61,15 @@ struct RefineArguments {
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".jpeg") return ".jpg";
   return extension == ".tiff" ? ".tif" : extension;
 }
 
+bool is_picture_form(const std::string& form) { return form == ".png" || form == ".jpg"; }
+
 bool is_surface_form(const std::string& form) {
-  return form == ".vti" || form == ".vts" || form == ".vtp";
+  return form == ".vti" || form == ".vts" || form == ".vtp" || form == ".glb" ||
+         is_picture_form(form);
 }
 
 bool is_mesh_form(const std::string& form) {
@@ -72,8 +79,8 @@ bool is_mesh_form(const std::string& form) {
 void check_form(const std::string& output, const std::string& form) {
   if (form != ".tif" && !is_surface_form(form) && !is_mesh_form(form))
     throw Misuse(output + ": the format '" + form +
-                 "' is not one of .tif, .vti, .vts, .vtp, .obj, .ply, .off, .stl; name the output "
-                 "so");
+                 "' is not one of .tif, .vti, .vts, .vtp, .glb, .obj, .ply, .off, .stl; name the "
+                 "output so");
 #ifndef ARETE_HAVE_OPENMESH
   if (is_mesh_form(form))
     throw Failure(output + ": this arete was built without OpenMesh; write a .tif or .vtp");
@@ -131,6 +138,8 @@ void refine_mesh(const RefineArguments& arguments) {
   if (arguments.most_triangles)
     throw Misuse(
         "--max-triangles is for meshes made of rasters; a refined mesh keeps all its quads");
+  if (!arguments.palette.empty() || !arguments.texture.empty())
+    throw Misuse("--palette and --texture are for a .glb made of a raster");
   if (arguments.interpolate) throw Misuse("--interpolate is for rasters; leave it out for a mesh");
   MeshJob job{arguments.input, arguments.output, read_scheme(arguments.scheme),
               read_scheme(arguments.scheme_y.empty() ? arguments.scheme : arguments.scheme_y)};
@@ -149,6 +158,15 @@ void refine_mesh(const RefineArguments& arguments) {
 }
 #endif
 
+#ifdef ARETE_HAVE_VTK
+// The same colours as arete render gives a model.
+ModelLook look_from(const RefineArguments& arguments) {
+  RenderArguments as_drawn;
+  as_drawn.palette = arguments.palette;
+  return {appearance_from(as_drawn), arguments.texture};
+}
+#endif
+
 Json detail_json(const Detail& detail, const DetailStatistics& statistics) {
   const auto slope = [](const std::optional<SpectralSlope>& s) {
     return s ? number_or_null(s->slope) : Json(nullptr);
@@ -164,7 +182,8 @@ void report_detail(const Detail& detail, const DetailStatistics& statistics) {
   if (!statistics.after) return;
   std::ostringstream line;
   line << std::fixed << std::setprecision(2) << "detail: the power of profiles falls as k^"
-       << statistics.after->slope << " in the new octaves (detail of roughness " << detail.roughness
+       << statistics.after->slope
+       << " in the new octaves but the first and last (detail of roughness " << detail.roughness
        << " alone: k^" << -(2 * detail.roughness + 1) << ")";
   if (statistics.before) line << ", in those of the input as k^" << statistics.before->slope;
   std::cout << line.str() << '\n';
@@ -267,10 +286,27 @@ void refine(const RefineArguments& arguments) {
   const auto type =
       arguments.type == "float64" ? gdal::SampleType::float64 : gdal::SampleType::float32;
 
-  if (arguments.interpolate && is_mesh_form(form))
-    throw Misuse("--interpolate is for rasters and VTK files; write a .tif, .vti, .vts or .vtp");
-  if (arguments.most_triangles && !is_mesh_form(form))
-    throw Misuse("--max-triangles is for meshes; write a .obj, .ply, .off or .stl");
+  const bool as_mesh =
+      is_mesh_form(form) || (arguments.most_triangles && (form == ".vtp" || is_picture_form(form)));
+#ifndef ARETE_HAVE_OPENMESH
+  if (as_mesh)
+    throw Failure(arguments.output +
+                  ": this arete was built without OpenMesh; leave --max-triangles out");
+#endif
+  if (is_picture_form(form) && !as_mesh)
+    throw Misuse(arguments.output +
+                 ": a picture shows the triangles of --max-triangles; give it, or draw a refined "
+                 "raster with 'arete render'");
+  if (arguments.interpolate && as_mesh)
+    throw Misuse(
+        "--interpolate is for rasters and VTK files of all samples; write a .tif, .vti, "
+        ".vts, .vtp or .glb without --max-triangles");
+  if (arguments.most_triangles && !as_mesh)
+    throw Misuse(
+        "--max-triangles is for meshes; write a .obj, .ply, .off, .stl or .vtp, "
+        "or see them in a .png or .jpg");
+  if (form != ".glb" && !(arguments.palette.empty() && arguments.texture.empty()))
+    throw Misuse("--palette and --texture are for a textured model; write a .glb");
   std::optional<gdal::LimitWeights> interpolate;
   if (arguments.interpolate) interpolate = {cardinal_stencil(x), cardinal_stencil(y)};
 
@@ -291,16 +327,20 @@ void refine(const RefineArguments& arguments) {
                                         [&](double share) { progress.show(share); });
     }
 #ifdef ARETE_HAVE_OPENMESH
-    else if (is_mesh_form(form)) {
+    else if (as_mesh) {
       done.mesh = refine_to_mesh(input, arguments.band, output.temporary(), form.substr(1), x, y,
                                  options, type, arguments.most_triangles, memory, progress);
       done.raster = done.mesh->raster;
+      done.detail = done.mesh->detail;
     }
 #endif
 #ifdef ARETE_HAVE_VTK
     else {
-      done.raster = refine_to_surface(input, arguments.band, output.temporary(), form, x, y,
-                                      options, type, memory, interpolate, progress);
+      const RefinedSurface surface =
+          refine_to_surface(input, arguments.band, output.temporary(), form, x, y, options, type,
+                            memory, look_from(arguments), interpolate, progress);
+      done.raster = surface.raster;
+      done.detail = surface.detail;
     }
 #endif
   }
@@ -319,15 +359,16 @@ void refine(const RefineArguments& arguments) {
 void add_refine(CLI::App& program, Job& job) {
   CLI::App* verb = program.add_subcommand(
       "refine",
-      "Refine a raster into a GeoTIFF (.tif), a VTK file (.vti, .vts, .vtp) or a mesh of quads\n"
-      "(.obj, .ply, .off, .stl), or a mesh that is a grid into a mesh or a .vtp");
+      "Refine a raster into a GeoTIFF (.tif), a VTK file (.vti, .vts, .vtp), a textured model\n"
+      "(.glb) or a mesh of quads (.obj, .ply, .off, .stl), or a mesh that is a grid into a mesh or "
+      "a .vtp");
   auto a = std::make_shared<RefineArguments>();
   verb->add_option("IN", a->input, "Any raster that GDAL reads, or a mesh: .obj, .ply, .off, .stl")
       ->required();
   verb->add_option(
           "OUT", a->output,
-          "The format follows the extension: .tif, .vti (heights), .vts or .vtp (geometry), .obj, "
-          ".ply, .off, .stl")
+          "The format follows the extension: .tif, .vti (heights), .vts or .vtp (geometry), .glb "
+          "(textured model), .obj, .ply, .off, .stl")
       ->required();
   verb->add_option("--scheme", a->scheme,
                    "Scheme, e.g. gentle or four-point:omega=1/16 ('arete schemes' lists all)")
@@ -366,12 +407,16 @@ void add_refine(CLI::App& program, Job& job) {
                    "COMPRESS=DEFLATE PREDICTOR=3 BIGTIFF=IF_SAFER")
       ->expected(1)
       ->take_all();
-  verb->add_option("--band", a->band, "Which band holds the heights (VTK and mesh files only)")
+  verb->add_option("--band", a->band, "Which band holds the heights (.tif has all of them)")
       ->capture_default_str();
   verb->add_option("--max-triangles", a->most_triangles,
                    "A mesh of a raster: quads while they make no more triangles than this, else so "
                    "many triangles, placed where the surface needs them")
       ->check(CLI::Range(Index{2}, Index{1'000'000'000}));
+  verb->add_option("--palette", a->palette,
+                   "Colours of a .glb by height, slope and aspect, as in 'arete render'");
+  verb->add_option("--texture", a->texture,
+                   "A picture laid over a .glb, by its georeference if it has one");
   verb->add_flag("--overwrite", a->overwrite, "Replace OUT if it exists");
   verb->add_flag("--json", a->json, "Print one JSON object about what was done");
   verb->callback([&job, a] { job = [a] { refine(*a); }; });

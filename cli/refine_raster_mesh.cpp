@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/refine_raster_mesh.h"
 
+#include <cmath>
 #include <limits>
 
 #include "arete/field/local_plane.h"
@@ -9,6 +10,10 @@
 #include "cli/find_band.h"
 #include "cli/memory_size.h"
 #include "cli/refine_grid.h"
+#ifdef ARETE_HAVE_VTK
+#include "arete/vtk/write_mesh.h"
+#include "cli/triangles_picture.h"
+#endif
 
 namespace arete::cli {
 namespace {
@@ -123,6 +128,21 @@ class TerrainMesh {
   openmesh::MeshData mesh_;
 };
 
+void write_mesh(const openmesh::MeshData& mesh, const std::filesystem::path& output,
+                openmesh::MeshOutput form) {
+#ifdef ARETE_HAVE_VTK
+  if (form.format == "png" || form.format == "jpg")
+    return draw_triangles(mesh.points, mesh.faces, output);
+  if (form.format == "vtp") {
+    vtk::PolygonMesh polygons{mesh.points, mesh.faces, {}, {}, mesh.texcoords};
+    for (const std::string& comment : form.comments) polygons.notes.push_back({"comment", comment});
+    vtk::write_mesh(polygons, output);
+    return;
+  }
+#endif
+  openmesh::write_mesh(output.string(), mesh, form);
+}
+
 template <class T>
 RasterMesh refine_as(const gdal::Raster& input, int band, const std::filesystem::path& output,
                      const std::string& format, const Scheme& x, const Scheme& y,
@@ -148,6 +168,9 @@ RasterMesh refine_as(const gdal::Raster& input, int band, const std::filesystem:
   RasterMesh done;
   done.raster = {input.extent(), size, 1, to_double(refiner.x().misplacement()),
                  to_double(refiner.y().misplacement())};
+  if (options.detail)
+    done.detail = detail_statistics(coarse.view(), heights.view(),
+                                    std::pow(x.mask().arity(), options.levels));
   TerrainMesh<T> terrain(heights, plane, refiner, format != "stl");
   openmesh::MeshData mesh;
   const Index quads = whole_quads(heights);
@@ -172,7 +195,7 @@ RasterMesh refine_as(const gdal::Raster& input, int band, const std::filesystem:
                    std::to_string(options.levels)};
   if (!plane.note.empty()) form.comments.push_back(plane.note);
   form.progress = [&](double share) { progress.show(written + (1 - written) * share); };
-  openmesh::write_mesh(output.string(), mesh, form);
+  write_mesh(mesh, output, std::move(form));
   return done;
 }
 

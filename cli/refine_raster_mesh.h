@@ -6,6 +6,7 @@
 #include <string>
 
 #include "arete/gdal/refine_raster.h"
+#include "cli/detail_statistics.h"
 #include "cli/progress.h"
 
 namespace arete::cli {
@@ -19,13 +20,15 @@ struct RasterMesh {
   /// The largest vertical distance of a refined sample from the triangle over or under it, in units
   /// of the heights; 0 for quads, whose corners are all samples.
   double largest_error = 0;
-  Index left_out = 0;  ///< valid samples that no face holds
+  Index left_out = 0;       ///< valid samples that no face holds
+  DetailStatistics detail;  ///< if there is any detail
 };
 
 /// One band of a raster refined in memory and written as a mesh of quads: .obj, .ply or .off with
-/// texture coordinates that put an image of the raster's bounding box upon it, or .stl. If the
-/// quads make more than `most_triangles` (two a quad), it is written as at most so many triangles
-/// between refined samples instead (topology/height_triangles.h).
+/// texture coordinates that put an image of the raster's bounding box upon it, .vtp
+/// likewise, .stl, or .png or .jpg, a map of the edges (triangles_picture.h). If the quads make
+/// more than `most_triangles` (two a quad), it is written as at most so many triangles between
+/// refined samples instead (topology/height_triangles.h).
 ///
 /// Vertices lie where a .vtp of the same raster has them: in the raster's own plane, or for
 /// longitudes and latitudes in metres around its centre (field/local_plane.h; a comment in the file

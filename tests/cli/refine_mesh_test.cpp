@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -315,6 +316,84 @@ TEST(cli_refine_mesh, a_budget_of_triangles_is_kept_and_the_error_told_is_the_er
   EXPECT_EQ(enough.at("largest_error"), 0);
 }
 
+TEST(cli_refine_mesh, a_budget_of_triangles_is_the_same_in_a_vtp) {
+  const test::TemporaryFolder folder;
+  const auto refine = [&](const std::string& name) {
+    return run_json({"refine", dem, folder.file(name), "--scheme", "gentle", "--max-triangles",
+                     "3000", "--json"})
+        .at("mesh");
+  };
+  const auto mesh = refine("out.vtp");
+  EXPECT_EQ(mesh, refine("out.ply"));
+  std::ifstream stream(folder.file("out.vtp"), std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto said = [&](const std::string& name) {
+    return std::stoi(text.substr(text.find(name + "=\"") + name.size() + 2, 12));
+  };
+  EXPECT_EQ(said("NumberOfPoints"), mesh.at("vertices"));
+  EXPECT_EQ(said("NumberOfPolys"), mesh.at("triangles"));
+}
+
+TEST(cli_refine_mesh, a_budget_of_triangles_is_seen_in_a_picture) {
+  const test::TemporaryFolder folder;
+  const auto mesh = run_json({"refine", dem, folder.file("out.png"), "--scheme", "gentle",
+                              "--max-triangles", "500", "--json"})
+                        .at("mesh");
+  EXPECT_LE(mesh.at("triangles"), 500);
+  const gdal::Raster picture(folder.file("out.png"));
+  EXPECT_EQ(std::max(picture.extent().rows, picture.extent().cols), 1200);
+  // White around, and on the map three quarters ground, the rest the ink of edges.
+  const Grid<double> red = gdal::read_band<double>(picture, picture.bands().front());
+  EXPECT_EQ(red(2, 2), 255);
+  Index ink = 0;
+  for (const double value : red.samples()) ink += value < 90 ? 1 : 0;
+  const double share = static_cast<double>(ink) / static_cast<double>(red.samples().size());
+  EXPECT_GT(share, 0.005);
+  EXPECT_LT(share, 0.25);
+  expect_error(test::Arguments{"refine", dem, folder.file("o.png"), "--scheme", "gentle"}, 2,
+               "--max-triangles");
+}
+
+TEST(cli_refine_mesh, detail_is_told_alike_whatever_is_written) {
+  const test::TemporaryFolder folder;
+  const std::string part = folder.file("part.tif");
+  const std::string cut = "gdal_translate -q -srcwin 100 100 70 60 " + dem + " " + part;
+  ASSERT_EQ(std::system(cut.c_str()), 0);
+  const auto slopes = [&](const std::string& name, const std::string& levels,
+                          const test::Arguments& more = {}) {
+    test::Arguments all{"refine",   part,     folder.file(name), "--scheme", "four-point",
+                        "--levels", levels,   "--detail",        "0.7",      "--type",
+                        "float32",  "--json", "--overwrite"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_json(all).at("detail").at("spectral_slope");
+  };
+  const auto expected = slopes("out.tif", "3");
+  for (const char* name :
+       {"out.vti", "out.vts", "out.vtp", "out.glb", "out.obj", "out.ply", "out.off", "out.stl"}) {
+    const auto told = slopes(name, "3");
+    for (const char* when : {"before", "after"})
+      EXPECT_NEAR(told.at(when), expected.at(when).get<double>(), 1e-6) << name << " " << when;
+  }
+  EXPECT_EQ(slopes("few.vtp", "3", {"--max-triangles", "1000"}), slopes("few.ply", "3"));
+  // Two levels make no octave between the first and the last.
+  EXPECT_TRUE(slopes("out.tif", "2").at("after").is_null());
+}
+
+TEST(cli_refine_mesh, detail_upon_terrain_is_as_rough_as_asked) {
+  const test::TemporaryFolder folder;
+  for (const double roughness : {0.3, 0.6, 0.9})
+    for (const char* seed : {"1", "2"}) {
+      const double slope =
+          run_json({"refine", dem, folder.file("out.tif"), "--scheme", "four-point", "--levels",
+                    "4", "--detail", std::to_string(roughness), "--seed", seed, "--json",
+                    "--overwrite", "--creation-option", "COMPRESS=NONE"})
+              .at("detail")
+              .at("spectral_slope")
+              .at("after");
+      EXPECT_NEAR(slope, -(2 * roughness + 1), 0.1) << "seed " << seed;
+    }
+}
+
 TEST(cli_refine_mesh, a_budget_of_triangles_is_refused_where_it_makes_no_sense) {
   const test::TemporaryFolder folder;
   const auto refine = [&](const std::string& in, const std::string& out, const std::string& most) {
@@ -322,7 +401,8 @@ TEST(cli_refine_mesh, a_budget_of_triangles_is_refused_where_it_makes_no_sense) 
                            "--max-triangles", most};
   };
   expect_error(refine(dem, "out.tif", "100"), 2, "--max-triangles is for meshes");
-  expect_error(refine(dem, "out.vtp", "100"), 2, "--max-triangles is for meshes");
+  expect_error(refine(dem, "out.vti", "100"), 2, "--max-triangles is for meshes");
+  expect_error(refine(dem, "out.glb", "100"), 2, "--max-triangles is for meshes");
   expect_error(refine(dem, "out.obj", "1"), 2, "--max-triangles");
   openmesh::write_mesh(folder.file("in.obj"), utm_terrain(4, 5));
   expect_error(refine(folder.file("in.obj"), "out.obj", "100"), 2, "keeps all its quads");

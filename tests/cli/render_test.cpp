@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -212,6 +213,40 @@ TEST(cli_render, models_come_whole_and_say_what_they_are) {
   EXPECT_EQ(folder.entries(), 3);
   EXPECT_EQ(test::run_arete({"render", test::dem, folder.file("a b.obj")}).exit_code, 2);
   EXPECT_EQ(test::run_arete({"render", test::dem, folder.file("o.gltf")}).exit_code, 2);
+}
+
+TEST(cli_render, refine_makes_the_model_that_render_makes) {
+  const test::TemporaryFolder folder;
+  const std::string coarse = folder.file("coarse.tif");
+  ASSERT_EQ(
+      std::system(("gdal_translate -q -srcwin 40 40 60 50 " + test::dem + " " + coarse).c_str()),
+      0);
+  const auto bytes = [&](const char* name) {
+    std::ifstream stream(folder.file(name), std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(stream), {}};
+  };
+  // The names of the models are those of the files.
+  std::filesystem::create_directory(folder.file("a"));
+  std::filesystem::create_directory(folder.file("b"));
+  (void)test::run_json({"render", coarse, folder.file("a/m.glb"), "--scheme", "gentle", "--levels",
+                        "2", "--palette", "alpine", "--json"});
+  const auto refined = test::run_json({"refine", coarse, folder.file("b/m.glb"), "--scheme",
+                                       "gentle", "--levels", "2", "--palette", "alpine", "--json"});
+  EXPECT_EQ(refined.at("rows"), 4 * 49 + 1);
+  const std::string a = bytes("a/m.glb");
+  const std::string b = bytes("b/m.glb");
+  // The binary part holds positions, normals, texture coordinates, triangles and the picture.
+  const auto binary = [](const std::string& glb) {
+    std::uint32_t json = 0;
+    std::memcpy(&json, glb.data() + 12, 4);
+    return glb.substr(20 + json);
+  };
+  ASSERT_GT(b.size(), 197 * 237 * 32u);
+  EXPECT_TRUE(binary(a) == binary(b));
+  EXPECT_EQ(test::run_arete({"refine", coarse, folder.file("o.tif"), "--scheme", "gentle",
+                             "--palette", "alpine"})
+                .exit_code,
+            2);
 }
 
 TEST(cli_render, a_texture_is_laid_by_its_place_on_earth) {

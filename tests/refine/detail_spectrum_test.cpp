@@ -6,6 +6,7 @@
 #include <map>
 #include <unsupported/Eigen/FFT>
 
+#include "arete/metrics/spectrum.h"
 #include "arete/refine/refiner.h"
 #include "arete/scheme/catalogue.h"
 
@@ -117,6 +118,32 @@ TEST(detail, the_spectrum_falls_as_the_roughness_asks) {
     for (double roughness : {0.2, 0.5, 0.8})
       EXPECT_NEAR(slope_of(name, roughness, 5, true, std::pow(2, 0.25)), -(2 * roughness + 2), 0.1)
           << name << " roughness " << roughness;
+}
+
+// What `arete refine` reports: the slope of profiles, which is one less steep than the radial one.
+TEST(detail, profiles_fall_as_the_roughness_asks) {
+  for (const char* name : {"four-point", "dubuc-deslauriers:points=6", "b-spline:degree=3"})
+    for (const double roughness : {0.3, 0.5, 0.7, 0.9}) {
+      constexpr int seeds = 4;
+      double mean = 0;
+      for (int seed = 1; seed <= seeds; ++seed) {
+        const Grid<double> z =
+            detail_alone(parse_scheme(name), roughness, 5, static_cast<std::uint64_t>(seed), true);
+        const double slope = refined_slope(z.view(), 32).value().slope;
+        EXPECT_NEAR(slope, -(2 * roughness + 1), 0.2) << name << ", " << roughness << ", " << seed;
+        mean += slope / seeds;
+      }
+      EXPECT_NEAR(mean, -(2 * roughness + 1), 0.1) << name << " roughness " << roughness;
+    }
+}
+
+// Why the last octave counts for nothing: profiles are much flatter there than the roughness asks.
+TEST(detail, profiles_of_the_last_octave_tell_nothing) {
+  for (const double roughness : {0.3, 0.6, 0.9}) {
+    const Grid<double> z = detail_alone(parse_scheme("four-point"), roughness, 5, 17, true);
+    const auto last = spectral_slope(profile_spectrum(z.view()), 0.25, 0.5);
+    EXPECT_GT(last.value().slope, -(2 * roughness + 1) + 0.5);
+  }
 }
 
 }  // namespace

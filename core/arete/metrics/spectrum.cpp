@@ -152,4 +152,9 @@ std::optional<SpectralSlope> spectral_slope(GridView<const double> heights) {
   return spectral_slope(spectrum, 4 * spectrum.wavenumber.front(), 0.25);
 }
 
+std::optional<SpectralSlope> refined_slope(GridView<const double> heights, double factor) {
+  if (!(factor >= 8)) return std::nullopt;
+  return spectral_slope(profile_spectrum(heights), 1 / factor, 0.25);
+}
+
 }  // namespace arete

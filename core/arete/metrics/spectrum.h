@@ -53,4 +53,13 @@ struct SpectralSlope {
 /// cycle per sample, beyond which interpolation and noise of the samples rule.
 [[nodiscard]] std::optional<SpectralSlope> spectral_slope(GridView<const double> heights);
 
+/// The slope of the octaves that a refinement made, `factor` samples for one along an axis: from
+/// the second of them on (into the first reaches what the scheme leaves of the input) up to 1/4
+/// cycle per sample. The last octave is left out: profiles of a surface with any power law up to
+/// the corners of its square of wavenumbers are nearly flat there. Nothing for a factor below 8,
+/// which makes no octaves but those two. For detail of roughness H -(2H + 1), to 0.1 for factors
+/// from 16 on, to 0.15 for 8.
+[[nodiscard]] std::optional<SpectralSlope> refined_slope(GridView<const double> heights,
+                                                         double factor);
+
 }  // namespace arete
