@@ -9,6 +9,7 @@
 #include "arete/analysis/limit_norm.h"
 #include "arete/analysis/limit_stencil.h"
 #include "arete/analysis/polynomial.h"
+#include "arete/scheme/catalogue.h"
 
 namespace arete {
 namespace {
@@ -148,6 +149,23 @@ TEST(Smoothness, EndsOnHardMasks) {
   EXPECT_EQ(near.refuted_at, 2);
   // The impulse that is only repeated: a(z) = 1 + z converges to a step, not uniformly.
   EXPECT_EQ(analyze_smoothness(Mask(2, 0, {1, 1})).refuted_at, 0);
+}
+
+// One sentence for each way an order is decided, with the numbers that decide it.
+TEST(Smoothness, ExplainsWhatDecided) {
+  const Smoothness gentle = analyze_smoothness(parse_scheme("gentle").mask());
+  EXPECT_EQ(explanation(gentle.orders.at(1)), "the norm of power 2 is 95/128 < 1");
+  EXPECT_EQ(explanation(gentle.orders.at(2)), "only 2 sum rules and stable shifts");
+  const Smoothness word =
+      analyze_smoothness(parse_scheme("three-parameter:a=1/4,c=-19/20,m=2").mask());
+  EXPECT_EQ(explanation(word.orders.at(1)), "word 01 has value 1.04773863 >= 1");
+  OrderVerdict verdict;
+  EXPECT_EQ(explanation(verdict), "neither proved nor refuted");
+  verdict.reason = Reason::divergence;
+  EXPECT_EQ(explanation(verdict), "a lower order is refuted");
+  verdict.reason = Reason::spectral_bound;
+  verdict.norm = Rational(1) / 2;
+  EXPECT_EQ(explanation(verdict), "the joint spectral radius is at most 0.5 < 1 (scaled)");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "arete/analysis/parameter_interval.h"
 #include "arete/analysis/polynomial.h"
 #include "arete/analysis/ternary_theorem.h"
+#include "arete/scheme/catalogue.h"
 
 namespace arete {
 namespace {
@@ -305,6 +306,31 @@ TEST(TernaryTheorem, C3IsRefutedForEveryParameter) {
     EXPECT_EQ(other.refuted_at, 3) << b;
     EXPECT_EQ(other.orders[3].reason, Reason::sum_rules) << b;
   }
+}
+
+TEST(Theorems, TheMarginOfARegionIsNegativeInsideAndZeroOnItsRim) {
+  const auto margin = [](const char* scheme) {
+    return region_margin(theorems_for(parse_scheme(scheme)).front());
+  };
+  const auto inside = margin("corner-cutting:u=1/4,v=1/4");
+  const auto rim = margin("corner-cutting:u=1/2,v=1/2");
+  const auto outside = margin("corner-cutting:u=3/4,v=1/2");
+  ASSERT_TRUE(inside && rim && outside);
+  EXPECT_LT(*inside, 0);
+  EXPECT_EQ(*rim, 0);
+  EXPECT_GT(*outside, 0);
+  EXPECT_FALSE(region_margin(TheoremResult{}).has_value());
+}
+
+// (a, b, c) = (6/25, ., -24/25), m = 3: the mean of two convergent difference schemes that is not
+// convergent; a scheme that is convergent refutes nothing.
+TEST(Theorems, AMixtureThatDoesNotConvergeNamesItsParts) {
+  const auto refuted = property_1_refuted_by(parse_scheme("three-parameter:a=6/25,c=-24/25,m=3"));
+  ASSERT_TRUE(refuted.has_value());
+  EXPECT_FALSE(refuted->sound);
+  EXPECT_NE(refuted->remark.find("both proved convergent"), std::string::npos) << refuted->remark;
+  EXPECT_FALSE(property_1_refuted_by(parse_scheme("three-parameter:a=1/12,c=1/12")).has_value());
+  EXPECT_FALSE(property_1_refuted_by(parse_scheme("four-point")).has_value());
 }
 
 }  // namespace
