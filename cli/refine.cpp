@@ -19,6 +19,7 @@
 #include "cli/memory_size.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
+#include "cli/raster_notes.h"
 #include "cli/scheme_json.h"
 #include "cli/verb.h"
 #ifdef ARETE_HAVE_VTK
@@ -269,6 +270,13 @@ void report(const RefineArguments& arguments, const Scheme& x, const Scheme& y, 
               << " (y) input pixels beside them\n";
 }
 
+// The type asked for, else one that holds the input's samples as they are.
+gdal::SampleType type_from(const RefineArguments& arguments, const gdal::Raster& input) {
+  const bool wide =
+      arguments.type.empty() ? RasterNotes::of(input).needs_float64 : arguments.type == "float64";
+  return wide ? gdal::SampleType::float64 : gdal::SampleType::float32;
+}
+
 void refine(const RefineArguments& arguments) {
 #ifdef ARETE_HAVE_OPENMESH
   if (openmesh::is_mesh_file(arguments.input)) {
@@ -283,9 +291,6 @@ void refine(const RefineArguments& arguments) {
   const RefineOptions options = options_from(arguments, x, y);
   const double memory =
       arguments.max_memory.empty() ? default_memory() : parse_memory_size(arguments.max_memory);
-  const auto type =
-      arguments.type == "float64" ? gdal::SampleType::float64 : gdal::SampleType::float32;
-
   const bool as_mesh =
       is_mesh_form(form) || (arguments.most_triangles && (form == ".vtp" || is_picture_form(form)));
 #ifndef ARETE_HAVE_OPENMESH
@@ -311,6 +316,7 @@ void refine(const RefineArguments& arguments) {
   if (arguments.interpolate) interpolate = {cardinal_stencil(x), cardinal_stencil(y)};
 
   const gdal::Raster input(arguments.input);
+  const auto type = type_from(arguments, input);
   OutputFile output(arguments.output, arguments.input, arguments.overwrite);
   const auto start = std::chrono::steady_clock::now();
   Done done;
@@ -398,9 +404,11 @@ void add_refine(CLI::App& program, Job& job) {
       ->capture_default_str();
   verb->add_option("--max-memory", a->max_memory,
                    "Memory to hold at most, e.g. 800M (default: half of the machine's)");
-  verb->add_option("--type", a->type,
-                   "Arithmetic and samples of the result (rasters: float32 unless told; meshes are "
-                   "computed in double, and written so unless told float32)")
+  verb->add_option(
+          "--type", a->type,
+          "Arithmetic and samples of the result (rasters: float32, or float64 where float32 "
+          "would not hold the input's; meshes are computed in double, and written so "
+          "unless told float32)")
       ->check(CLI::IsMember({"float32", "float64"}));
   verb->add_option("--creation-option", a->creation_options,
                    "KEY=VALUE of GDAL's GTiff driver, may be repeated; the defaults are TILED=YES "

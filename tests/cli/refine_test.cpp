@@ -9,6 +9,7 @@
 
 #include "arete/gdal/band_source.h"
 #include "arete/refine/refiner.h"
+#include "plugin/gdal/make_raster.h"
 #include "run_program.h"
 #include "support/schemes.h"
 #include "support/temporary_folder.h"
@@ -57,6 +58,41 @@ TEST(cli_refine, the_bundled_dem_goes_through_every_scheme_of_the_catalogue) {
     const Grid<float> actual = gdal::read_band<float>(output, output.bands().front());
     ASSERT_EQ(actual.extent(), expected.extent()) << scheme.text();
     EXPECT_TRUE(actual.samples() == expected.samples()) << scheme.text();
+  }
+}
+
+// At 6378137 m a float32 has steps of half a metre.
+TEST(cli_refine, geocentric_heights_in_float64_keep_their_millimetres) {
+  const test::TemporaryFolder folder;
+  constexpr double radius = 6378137;
+  const auto height = [](int, Index r, Index c) {
+    return radius + std::sin(static_cast<double>(3 * r + c));
+  };
+  Grid<double> above({12, 16});
+  for (Index r = 0; r < above.rows(); ++r)
+    for (Index c = 0; c < above.cols(); ++c) above(r, c) = height(1, r, c) - radius;
+  RefineOptions options;
+  options.levels = 3;
+  for (const GDALDataType type : {GDT_Float64, GDT_Float32}) {
+    test::RasterSpec spec;
+    spec.type = type;
+    test::make_raster(folder.file("in.tif"), spec, height);
+    for (const char* scheme : {"gentle", "craggy", "b-spline:degree=3"}) {
+      ASSERT_EQ(run_arete({"refine", folder.file("in.tif"), folder.file("out.tif"), "--scheme",
+                           scheme, "--levels", "3", "--overwrite"})
+                    .exit_code,
+                0);
+      const gdal::Raster output(folder.file("out.tif"));
+      const gdal::BandInfo& band = output.bands().front();
+      EXPECT_EQ(band.type, GDALGetDataTypeName(type)) << scheme;
+      if (type == GDT_Float32) continue;
+      const Grid<double> fine = gdal::read_band<double>(output, band);
+      const Grid<double> truth = refine(above, parse_scheme(scheme), options);
+      ASSERT_EQ(fine.extent(), truth.extent());
+      for (Index r = 0; r < fine.rows(); ++r)
+        for (Index c = 0; c < fine.cols(); ++c)
+          ASSERT_NEAR(fine(r, c) - radius, truth(r, c), 1e-6) << scheme;
+    }
   }
 }
 

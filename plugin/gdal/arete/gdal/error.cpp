@@ -6,7 +6,9 @@
 namespace arete::gdal {
 namespace {
 
-void collect(CPLErr level, CPLErrorNum, const char* message) {
+void collect(CPLErr level, CPLErrorNum number, const char* message) {
+  // GDAL ends the program after this one: out of memory where it has no other way out.
+  if (level == CE_Fatal) CPLDefaultErrorHandler(level, number, message);
   if (level >= CE_Failure)
     static_cast<ErrorCollector*>(CPLGetErrorHandlerUserData())->record(message);
 }

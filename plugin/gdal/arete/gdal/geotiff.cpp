@@ -1,15 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "arete/gdal/geotiff.h"
 
+#include <sys/resource.h>
+
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <limits>
+#include <string_view>
+#include <system_error>
+#include <thread>
 #include <type_traits>
 
 namespace arete::gdal {
 namespace {
+
+// Whether GDAL's threads will start: it would wait for ever for one that did not. Under a limit on
+// memory nobody can know.
+bool threads_are_certain() {
+  rlimit memory{};
+  if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) return false;
+  try {
+    std::thread([] {}).join();
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
+}
 
 // The user's options and those defaults that they do not contradict.
 CPLStringList creation_options(const GeoTiffSpec& spec) {
@@ -29,7 +47,7 @@ CPLStringList creation_options(const GeoTiffSpec& spec) {
   const char* compression = options.FetchNameValue("COMPRESS");
   if (EQUAL(compression, "DEFLATE") || EQUAL(compression, "ZSTD") || EQUAL(compression, "LZW"))
     default_to("PREDICTOR", "3");
-  if (!EQUAL(compression, "NONE"))
+  if (!EQUAL(compression, "NONE") && threads_are_certain())
     default_to("NUM_THREADS", spec.threads > 0 ? std::to_string(spec.threads).c_str() : "ALL_CPUS");
   return options;
 }
@@ -78,10 +96,41 @@ void set_band(GDALRasterBand& band, const BandInfo& info, const std::optional<do
   for (const auto& [key, value] : info.metadata) band.SetMetadataItem(key.c_str(), value.c_str());
 }
 
+// Whether bytes of every block stand in the file.
+bool has_all_blocks(GDALDataset& dataset) {
+  for (int number = 1; number <= dataset.GetRasterCount(); ++number) {
+    GDALRasterBand* band = dataset.GetRasterBand(number);
+    int width = 0, height = 0;
+    band->GetBlockSize(&width, &height);
+    const int across = (dataset.GetRasterXSize() - 1) / width;
+    const int down = (dataset.GetRasterYSize() - 1) / height;
+    for (int y = 0; y <= down; ++y)
+      for (int x = 0; x <= across; ++x) {
+        const std::string key = "BLOCK_SIZE_" + std::to_string(x) + "_" + std::to_string(y);
+        const char* size = band->GetMetadataItem(key.c_str(), "TIFF");
+        if (size == nullptr || std::string_view(size) == "0") return false;
+      }
+  }
+  return true;
+}
+
+// GDAL's threads that compress have nobody to tell that they failed.
+void check_blocks(const std::string& path) {
+  const ErrorCollector errors;
+  GDALDataset* dataset = GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY);
+  const bool whole = dataset != nullptr && has_all_blocks(*dataset);
+  if (dataset != nullptr) GDALClose(dataset);
+  if (!whole)
+    throw RasterError(path +
+                      " is incomplete: GDAL could not compress all of it; free some memory, "
+                      "or use --creation-option NUM_THREADS=1");
+}
+
 }  // namespace
 
 struct GeoTiffWriter::State {
   std::string path;
+  bool threads = false;  ///< GDAL compresses in threads of its own
   GDALDataset* dataset = nullptr;
   ErrorCollector errors;
 
@@ -106,6 +155,8 @@ GeoTiffWriter::GeoTiffWriter(const std::string& path, const GeoTiffSpec& spec)
   if (GDALValidateCreationOptions(driver, options.List()) == 0)
     throw RasterError("a creation option is not one of GeoTIFF's; see 'gdalinfo --format GTiff'");
   const GDALDataType type = spec.type == SampleType::float32 ? GDT_Float32 : GDT_Float64;
+  state_->threads =
+      options.FetchNameValue("NUM_THREADS") != nullptr && !options.FetchBool("SPARSE_OK", false);
   state_->dataset = driver->Create(path.c_str(), static_cast<int>(spec.extent.cols),
                                    static_cast<int>(spec.extent.rows),
                                    static_cast<int>(spec.bands.size()), type, options.List());
@@ -144,6 +195,7 @@ void GeoTiffWriter::close() {
   GDALClose(state_->dataset);
   state_->dataset = nullptr;
   if (state_->errors.failed()) state_->fail();
+  if (state_->threads) check_blocks(state_->path);
 }
 
 template void GeoTiffWriter::write(int, Index, GridView<const float>);

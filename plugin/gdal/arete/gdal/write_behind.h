@@ -3,6 +3,7 @@
 
 #include <array>
 #include <future>
+#include <system_error>
 
 #include "arete/field/plane.h"
 #include "arete/gdal/geotiff.h"
@@ -38,10 +39,15 @@ class WriteBehind {
       writer_.write<T>(band, first_row, rows);
       return;
     }
-    pending_ = std::async(std::launch::async, [this, band, first_row, rows] {
+    try {
+      pending_ = std::async(std::launch::async, [this, band, first_row, rows] {
+        writer_.write<T>(band, first_row, rows);
+      });
+      current_ = 1 - current_;
+    } catch (const std::system_error&) {  // no more threads
+      overlap_ = false;
       writer_.write<T>(band, first_row, rows);
-    });
-    current_ = 1 - current_;
+    }
   }
 
   /// Waits until all is written. \throws RasterError
