@@ -89,7 +89,7 @@ double seconds(const arete::test::TemporaryFolder& folder, const std::string& sc
   std::remove(out.c_str());
   const std::string command =
       "HOME=" + folder.path().string() + " XDG_RUNTIME_DIR=" + folder.path().string() + " " +
-      source + "/tests/meshlab/with_display " + source +
+      source + "/tests/support/with_display " + source +
       "/scripts/try-meshlab --build " ARETE_BUILD_DIR " --server -i " + folder.file("in.ply") +
       " -o " + out + " -s " + script + " > " + folder.file("log") + " 2>&1";
   const auto start = std::chrono::steady_clock::now();
