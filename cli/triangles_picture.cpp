@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "arete/vtk/image.h"
+#include "cli/error.h"
 
 namespace arete::cli {
 namespace {
@@ -124,6 +125,10 @@ void fill(const Triangle& t, const vtk::Rgb& color, vtk::Image& image) {
 
 void draw_triangles(std::span<const Point3> points, const FaceList& faces,
                     const std::filesystem::path& picture) {
+  if (faces.count() == 0)
+    throw Failure(
+        "there is no triangle to draw; the raster needs at least 2 x 2 samples that are not "
+        "missing");
   const Box box = box_of(points);
   const double across = box.high[0] - box.low[0];
   const double along = box.high[1] - box.low[1];

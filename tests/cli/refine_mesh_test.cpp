@@ -406,6 +406,10 @@ TEST(cli_refine_mesh, a_budget_of_triangles_is_refused_where_it_makes_no_sense) 
   expect_error(refine(dem, "out.obj", "1"), 2, "--max-triangles");
   openmesh::write_mesh(folder.file("in.obj"), utm_terrain(4, 5));
   expect_error(refine(folder.file("in.obj"), "out.obj", "100"), 2, "keeps all its quads");
+  std::ofstream(folder.file("row.asc"))
+      << "ncols 5\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3 2 1\n";
+  expect_error(refine(folder.file("row.asc"), "out.png", "100"), 1, "there is no triangle to draw");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out.png")));
 }
 
 }  // namespace
