@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arete/field/error.h"
+#include "arete/field/large_pages.h"
 
 namespace arete {
 
@@ -50,7 +51,12 @@ class Grid {
  public:
   Grid() = default;
   /// \throws InvalidField for a negative extent.
-  explicit Grid(Extent extent, T value = T(0)) : extent_(extent), samples_(size(extent), value) {}
+  explicit Grid(Extent extent, T value = T(0)) : extent_(extent) {
+    const std::size_t count = size(extent);
+    samples_.reserve(count);
+    prefer_large_pages(samples_.data(), count * sizeof(T));
+    samples_.resize(count, value);
+  }
 
   [[nodiscard]] Extent extent() const { return extent_; }
   [[nodiscard]] Index rows() const { return extent_.rows; }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arete/field/plane.h"
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "arete/field/large_pages.h"
 
 namespace arete {
 namespace {
@@ -24,10 +22,7 @@ Plane<T>::Plane(Extent extent, Pages pages) : extent_(extent) {
   const bool huge = pages == Pages::huge && bytes >= 2 * huge_page;
   const std::align_val_t place{huge ? huge_page : static_cast<std::size_t>(alignment)};
   memory_ = {static_cast<T*>(::operator new(bytes, place)), Free{place}};
-#if defined(__linux__)
-  // Advice only: where it is refused the plane has ordinary pages.
-  if (huge) madvise(memory_.get(), bytes / huge_page * huge_page, MADV_HUGEPAGE);
-#endif
+  if (huge) prefer_large_pages(memory_.get(), bytes);
 }
 
 template class Plane<float>;

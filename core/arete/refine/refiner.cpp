@@ -153,6 +153,12 @@ void Refiner<T>::refine_rows(const RowSource<T>& source, Index first_row, GridVi
 template <class T>
 typename Refiner<T>::Part Refiner<T>::open_part(const RowSource<T>& source, IndexRange rows) const {
   IndexRange needed = y_.ranges_for(rows).front();
+  // Whether a result is valid is asked of the samples around it, which a final stencil that reads
+  // from afar does not need.
+  const bool turns = y_.boundary() == Boundary::periodic;
+  const Index below = y_cells_.at(rows.last).last + 1;
+  needed.first = std::min(needed.first, y_cells_.at(rows.first).first);
+  needed.last = std::max(needed.last, turns ? below : std::min(below, input().rows - 1));
   if (!displacement_) return {rows, {source, needed, boundaries(), reach_}, {}};
   const IndexRange relief_rows = displacement_->relief_rows(rows);
   // The relief of a row looks at its neighbours.
