@@ -134,19 +134,23 @@ TEST(missing, nothing_valid_gives_nothing_valid_and_isolated_samples_make_no_sur
 TEST(missing, a_final_stencil_that_reads_from_afar_leaves_holes_where_they_are) {
   const Grid<double> input = with_holes(test::random_heights({13, 14}));
   for (const Boundary boundary : {Boundary::reflect, Boundary::clamp, Boundary::extrapolate}) {
-    RefineOptions options;
-    options.boundaries = {boundary, boundary};
-    options.final_y = Stencil{90, {Rational(1)}};
-    const Refiner<double> refiner(parse_scheme("b-spline:degree=3"), input.extent(), options);
-    // Row by row: each needs input rows far from its own.
-    Grid<double> row({1, refiner.output().cols});
-    for (Index r = 0; r < refiner.output().rows; ++r) {
-      refiner.refine_rows(GridSource<double>(input.view()), r, row.view());
-      for (Index c = 0; c < row.cols(); ++c)
-        ASSERT_EQ(std::isfinite(row(0, c)),
-                  expected_valid(input, refiner.y().first_position() + r * refiner.y().spacing(),
-                                 refiner.x().first_position() + c * refiner.x().spacing()))
-            << static_cast<int>(boundary) << " at " << r << ", " << c;
+    for (const Stencil& stencil : {Stencil{90, {Rational(1)}}, Stencil{18, {Rational(0)}},
+                                   Stencil{6, {}}, Stencil{12, {Rational(1)}}}) {
+      RefineOptions options;
+      options.levels = 0;
+      options.boundaries = {boundary, boundary};
+      options.final_y = stencil;
+      const Refiner<double> refiner(parse_scheme("b-spline:degree=3"), input.extent(), options);
+      // Row by row: each needs input rows far from its own.
+      Grid<double> row({1, refiner.output().cols});
+      for (Index r = 0; r < refiner.output().rows; ++r) {
+        refiner.refine_rows(GridSource<double>(input.view()), r, row.view());
+        for (Index c = 0; c < row.cols(); ++c)
+          ASSERT_EQ(std::isfinite(row(0, c)),
+                    expected_valid(input, refiner.y().first_position() + r * refiner.y().spacing(),
+                                   refiner.x().first_position() + c * refiner.x().spacing()))
+              << static_cast<int>(boundary) << " " << stencil.first << " at " << r << ", " << c;
+      }
     }
   }
 }
