@@ -31,6 +31,7 @@
 #include "arete/gdal/band_source.h"
 #include "arete/openmesh/grid_subdivider.h"
 #include "arete/openmesh/internal/large_pages.h"
+#include "arete/parallel/for_each_band.h"
 #include "arete/topology/grid_faces.h"
 
 namespace {

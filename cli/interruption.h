@@ -3,7 +3,8 @@
 
 namespace arete::cli {
 
-/// From now on SIGINT, SIGTERM and SIGHUP only set a flag, so that partial files can be removed.
+/// From now on the first SIGINT, SIGTERM or SIGHUP only sets a flag, so that work ends in order; a
+/// second one, and an abort, remove partial files and end the program.
 void catch_interruptions();
 
 [[nodiscard]] bool is_interrupted();

@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -16,7 +18,44 @@ namespace {
 
 fs::path side_file(const fs::path& path) { return path.string() + ".aux.xml"; }
 
+// The temporary files that there are, for a signal's handler, which may not allocate nor lock. More
+// at a time, or longer names, only stay behind.
+struct Unfinished {
+  std::atomic<bool> taken = false;
+  std::atomic<bool> there = false;
+  char file[4096] = {};
+  char side[4096] = {};
+};
+std::array<Unfinished, 8> unfinished;
+
+void note(const fs::path& file) {
+  const std::string side = side_file(file).string();
+  for (Unfinished& place : unfinished) {
+    if (side.size() >= sizeof place.side || place.taken.exchange(true)) continue;
+    std::strcpy(place.file, file.c_str());
+    std::strcpy(place.side, side.c_str());
+    place.there = true;
+    return;
+  }
+}
+
+void forget(const fs::path& file) {
+  for (Unfinished& place : unfinished) {
+    if (!place.there || file != place.file) continue;
+    place.there = false;
+    place.taken = false;
+  }
+}
+
 }  // namespace
+
+void remove_unfinished_outputs() noexcept {
+  for (const Unfinished& place : unfinished) {
+    if (!place.there) continue;
+    unlink(place.file);
+    unlink(place.side);
+  }
+}
 
 OutputFile::OutputFile(const std::string& path, const std::string& input, bool overwrite)
     : place_(path) {
@@ -37,6 +76,7 @@ OutputFile::OutputFile(const std::string& path, const std::string& input, bool o
     throw Failure(path + " cannot be written (" + why + "); choose another folder");
   }
   close(file);
+  note(temporary_);
 }
 
 OutputFile::~OutputFile() {
@@ -44,6 +84,7 @@ OutputFile::~OutputFile() {
   std::error_code ignored;
   fs::remove(temporary_, ignored);
   fs::remove(side_file(temporary_), ignored);
+  forget(temporary_);
 }
 
 void OutputFile::commit() {
@@ -54,6 +95,7 @@ void OutputFile::commit() {
   if (error) throw Failure(place_.string() + " cannot be replaced (" + error.message() + ")");
   if (fs::exists(side_file(temporary_), error))
     fs::rename(side_file(temporary_), side_file(place_), error);
+  forget(temporary_);
   temporary_.clear();
 }
 

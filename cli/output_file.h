@@ -27,4 +27,8 @@ class OutputFile {
   std::filesystem::path temporary_;
 };
 
+/// Removes what OutputFiles of this process have not committed. May be called by a signal's
+/// handler.
+void remove_unfinished_outputs() noexcept;
+
 }  // namespace arete::cli

@@ -10,6 +10,7 @@
 
 #include "arete/analysis/limit_stencil.h"
 #include "arete/gdal/refine_raster.h"
+#include "arete/parallel/for_each_band.h"
 #include "cli/cardinal_stencil.h"
 #include "cli/detail_statistics.h"
 #include "cli/disk_space.h"

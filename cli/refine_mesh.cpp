@@ -6,6 +6,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "arete/parallel/for_each_band.h"
 #include "arete/refine/refiner.h"
 #include "cli/error.h"
 #include "cli/memory_size.h"

@@ -161,22 +161,47 @@ TEST(cli_refine, vtk_files_of_all_three_forms_are_written_and_replaced) {
   EXPECT_EQ(folder.entries(), 3);
 }
 
+// A long refinement that gets `signals`, `delay_ms` after its partial output is there.
+test::Run disturbed(const test::TemporaryFolder& folder, const std::vector<int>& signals,
+                    int delay_ms) {
+  return run_arete({"refine", dem, folder.file("out.tif"), "--scheme", "gentle", "--levels", "6",
+                    "--threads", "1"},
+                   [&](int process) {
+                     for (int wait = 0; folder.entries() == 0 && wait < 60'000; ++wait)
+                       usleep(1000);
+                     usleep(static_cast<useconds_t>(delay_ms) * 1000);
+                     for (const int signal : signals) kill(process, signal);
+                   });
+}
+
 TEST(cli_refine, interruption_leaves_no_file_behind) {
   for (const int delay_ms : {0, 30, 100, 400}) {
     const test::TemporaryFolder folder;
-    const auto run = run_arete({"refine", dem, folder.file("out.tif"), "--scheme", "gentle",
-                                "--levels", "6", "--threads", "1"},
-                               [&](int process) {
-                                 // Once the partial output is there, the work has begun.
-                                 for (int wait = 0; folder.entries() == 0 && wait < 60'000; ++wait)
-                                   usleep(1000);
-                                 usleep(static_cast<useconds_t>(delay_ms) * 1000);
-                                 kill(process, SIGINT);
-                               });
+    const auto run = disturbed(folder, {SIGINT}, delay_ms);
     EXPECT_EQ(run.exit_code, 130) << run.err;
     EXPECT_EQ(run.err, "arete: interrupted; nothing was written\n");
     EXPECT_EQ(folder.entries(), 0);
   }
+}
+
+// A library that waits for ever would never let it see the first one.
+TEST(cli_refine, a_second_interruption_ends_it_at_once_and_leaves_no_file_behind) {
+  const test::TemporaryFolder folder;
+  const auto run = disturbed(folder, {SIGINT, SIGTERM}, 30);
+  // The system may deliver them in either order. It has no time for a word.
+  EXPECT_TRUE(run.exit_code == 128 + SIGTERM || run.exit_code == 128 + SIGINT) << run.exit_code;
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(cli_refine, an_abort_leaves_no_file_behind_and_is_told) {
+  const test::TemporaryFolder folder;
+  const auto run = disturbed(folder, {SIGABRT}, 30);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(
+      run.err,
+      "arete: a library ended the program, what it said stands above; no output was written\n");
+  EXPECT_EQ(folder.entries(), 0);
 }
 
 // Before the program listens, the signal ends it before it has made anything.

@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
 const std::map<std::string, Names> core_may_include{
+    {"parallel", {"parallel"}},
     {"algebra", {"algebra"}},
     {"scheme", {"algebra", "scheme"}},
-    {"analysis", {"algebra", "scheme", "analysis"}},
+    {"analysis", {"algebra", "scheme", "analysis", "parallel"}},
     {"field", {"field"}},
     {"topology", {"field", "topology"}},
-    {"refine", {"algebra", "scheme", "field", "refine"}},
-    {"reverse", {"algebra", "scheme", "field", "refine", "topology", "reverse"}},
+    {"refine", {"algebra", "scheme", "field", "parallel", "refine"}},
+    {"reverse", {"algebra", "scheme", "field", "parallel", "refine", "topology", "reverse"}},
     {"fractal", {"algebra", "scheme", "field", "fractal"}},
     {"variational", {"algebra", "scheme", "field", "variational"}},
     {"metrics", {"field", "metrics"}},

@@ -3,10 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <mutex>
-#include <vector>
-
-#include "arete/refine/for_each_band.h"
 #include "arete/refine/refiner.h"
 #include "support/fields.h"
 #include "support/schemes.h"
@@ -33,21 +29,6 @@ TEST(free_corners, the_corner_is_a_smooth_vertex_of_the_rim_and_nothing_else_cha
 TEST(free_corners, too_small_grids_and_negative_levels_are_refused) {
   EXPECT_THROW((void)refine_free_corners(Grid<double>({1, 4}), 1), InvalidField);
   EXPECT_THROW((void)refine_free_corners(Grid<double>({4, 4}), -1), InvalidField);
-}
-
-TEST(for_each_band, covers_every_row_once_with_any_number_of_threads) {
-  for (const int threads : {1, 2, 0}) {
-    for (const Index rows : {0, 1, 7, 8, 9, 100}) {
-      std::vector<int> seen(static_cast<std::size_t>(rows), 0);
-      std::mutex mutex;
-      for_each_band(rows, 8, threads, [&](Index first, Index count) {
-        const std::lock_guard lock(mutex);
-        EXPECT_LE(count, 8);
-        for (Index r = first; r < first + count; ++r) ++seen.at(static_cast<std::size_t>(r));
-      });
-      EXPECT_EQ(seen, std::vector<int>(static_cast<std::size_t>(rows), 1)) << threads;
-    }
-  }
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "arete/analysis/smoothness_map.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <atomic>
+
+#include "arete/parallel/for_each_band.h"
 
 namespace arete {
 
@@ -41,8 +40,9 @@ std::vector<MapCell> smoothness_map(
   std::vector<MapCell> cells(xs.size() * ys.size());
   std::atomic<std::size_t> done = 0;
   std::atomic<bool> stopped = false;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), 16), [&](const auto& range) {
-    for (std::size_t at = range.begin(); at != range.end() && !stopped; ++at) {
+  for_each_band(static_cast<std::int64_t>(cells.size()), 16, 0, [&](auto first, auto count) {
+    const auto end = static_cast<std::size_t>(first + count);
+    for (auto at = static_cast<std::size_t>(first); at != end && !stopped; ++at) {
       if (const auto mask = mask_at(xs[at % xs.size()], ys[at / xs.size()])) {
         Smoothness found = analyze_smoothness(*mask, options);
         if (is_open(found)) found = analyze_smoothness(*mask, thorough(options));

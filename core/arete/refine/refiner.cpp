@@ -2,13 +2,12 @@
 #include "arete/refine/refiner.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+
+#include "arete/parallel/for_each_band.h"
 
 namespace arete {
 namespace {
@@ -124,29 +123,14 @@ void Refiner<T>::refine_rows(const RowSource<T>& source, Index first_row, GridVi
   const double bytes = static_cast<double>(band.rows()) * static_cast<double>(band.cols()) *
                        static_cast<double>(sizeof(T));
   const bool stream = bytes > cache_bytes;
-  const auto part = [&](Index from, Index to, Workspace<T>& workspace) {
-    refine_part(source, first_row + from,
-                GridView<T>(band.row(from), {to - from, band.cols()}, band.stride()), stream,
-                workspace);
-  };
   const Index most = rows_a_part();
-  if (threads_ == 1) {
-    Workspace<T> workspace;
-    for (Index from = 0; from < band.rows(); from += most)
-      part(from, std::min(from + most, band.rows()), workspace);
-    return;
-  }
-  // More threads than the machine has would only make oneTBB complain.
-  const int available = available_threads();
-  const int wanted = threads_ > 0 ? threads_ : available;
-  tbb::task_arena arena(std::min(wanted, available));
-  const Index share = std::clamp(band.rows() / (4 * wanted), Index{64}, most);
-  const Index parts = (band.rows() + share - 1) / share;
-  arena.execute([&] {
-    tbb::enumerable_thread_specific<Workspace<T>> workspaces;
-    tbb::parallel_for(Index{0}, parts, [&](Index i) {
-      part(i * share, std::min((i + 1) * share, band.rows()), workspaces.local());
-    });
+  const int threads = threads_ > 0 ? threads_ : available_threads();
+  const Index share =
+      threads == 1 ? most : std::clamp(band.rows() / (4 * threads), Index{64}, most);
+  tbb::enumerable_thread_specific<Workspace<T>> workspaces;
+  for_each_band(band.rows(), share, threads_, [&](Index from, Index count) {
+    refine_part(source, first_row + from, {band.row(from), {count, band.cols()}, band.stride()},
+                stream, workspaces.local());
   });
 }
 
@@ -277,8 +261,6 @@ Plane<T> Refiner<T>::plane(GridView<const T> samples, Pages pages) const {
   refine_rows(GridSource<T>(samples), 0, result.view());
   return result;
 }
-
-int available_threads() { return tbb::info::default_concurrency(); }
 
 template <class T>
 Grid<T> refine(GridView<const T> samples, const Scheme& scheme, const RefineOptions& options) {

@@ -109,9 +109,6 @@ class Refiner {
   std::shared_ptr<const Displacement<T>> displacement_;  ///< null: no detail
 };
 
-/// How many threads this machine runs at once: what `threads = 0` means.
-[[nodiscard]] int available_threads();
-
 /// One call: the grid refined by the scheme along both axes. Equal to Refiner's result.
 template <class T>
 [[nodiscard]] Grid<T> refine(GridView<const T> samples, const Scheme& scheme,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arete/reverse/grid_reverse_lines.h"
 
-#include "arete/reverse/runs.h"
+#include "arete/parallel/for_each_band.h"
 
 namespace arete {
 namespace {
@@ -54,7 +54,7 @@ void turn_out(Lines<const T> lines, Grid<T>& grid, Index first) {
 template <class T>
 void analyse_columns(const AxisReverse<T>& axis, GridView<const T> fine, Index first, Grid<T>& low,
                      Grid<T>& high, int threads) {
-  for_runs(std::min(low.cols(), fine.cols() - first), columns_at_a_time, threads,
+  for_each_band(std::min(low.cols(), fine.cols() - first), columns_at_a_time, threads,
            [&](Index from, Index count) {
              axis.analyse(columns_of(fine, first + from, count),
                           columns_of(low.view(), from, count),
@@ -65,7 +65,7 @@ void analyse_columns(const AxisReverse<T>& axis, GridView<const T> fine, Index f
 // Along the rows that `low` and `high` hold side by side, in place.
 template <class T>
 void analyse_rows(const AxisReverse<T>& axis, Grid<T>& low, Grid<T>& high, int threads) {
-  for_runs(low.rows(), rows_at_a_time, threads, [&](Index first, Index count) {
+  for_each_band(low.rows(), rows_at_a_time, threads, [&](Index first, Index count) {
     LineBuffer<T> fine(axis.fine_count(), count);
     LineBuffer<T> halves(low.cols() + high.cols(), count);
     const Lines<T> coarse = halves.lines().part(0, low.cols());
@@ -82,7 +82,7 @@ void analyse_rows(const AxisReverse<T>& axis, Grid<T>& low, Grid<T>& high, int t
 template <class T>
 void synthesise_rows(const AxisReverse<T>& axis, const Grid<T>& low, const Grid<T>& high,
                      Grid<T>& fine, Index first, int threads) {
-  for_runs(low.rows(), rows_at_a_time, threads, [&](Index from, Index count) {
+  for_each_band(low.rows(), rows_at_a_time, threads, [&](Index from, Index count) {
     LineBuffer<T> coarse(low.cols(), count);
     LineBuffer<T> details(high.cols(), count);
     LineBuffer<T> out(axis.fine_count(), count);
@@ -96,7 +96,7 @@ void synthesise_rows(const AxisReverse<T>& axis, const Grid<T>& low, const Grid<
 // Down the columns, in place: the first rows are coarse samples, the others details.
 template <class T>
 void synthesise_columns(const AxisReverse<T>& axis, Grid<T>& samples, int threads) {
-  for_runs(samples.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
+  for_each_band(samples.cols(), columns_at_a_time, threads, [&](Index first, Index count) {
     LineBuffer<T> halves(samples.rows(), count);
     const Lines<T> columns = columns_of(samples.view(), first, count);
     copy_lines<T>(columns, halves.lines());

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "arete/parallel/for_each_band.h"
 #include "arete/reverse/row_filter.h"
-#include "arete/reverse/runs.h"
 
 namespace arete {
 namespace {
@@ -170,7 +170,7 @@ void decompose_by_rows(const std::vector<GridStepAxes<T>>& steps, GridView<const
   const std::vector<Filters<T>> filters = filters_of(steps);
   // Runs of the first level's coarse rows; the other levels go along in proportion.
   const Index all = filters.front().coarse_rows;
-  for_runs(all, rows_a_run(all, threads), threads, [&](Index first, Index count) {
+  for_each_band(all, rows_a_run(all, threads), threads, [&](Index first, Index count) {
     std::vector<std::unique_ptr<AnalysisLevel<T>>> levels;
     for (const auto& f : filters)
       levels.push_back(std::make_unique<AnalysisLevel<T>>(
@@ -194,7 +194,7 @@ template <class T>
 void reconstruct_by_rows(const std::vector<GridStepAxes<T>>& steps, const Grid<T>& coarse,
                          std::span<const GridDetails<T>> details, Grid<T>& fine, int threads) {
   const std::vector<Filters<T>> filters = filters_of(steps);
-  for_runs(fine.rows(), rows_a_run(fine.rows(), threads), threads, [&](Index first, Index count) {
+  for_each_band(fine.rows(), rows_a_run(fine.rows(), threads), threads, [&](Index first, Index count) {
     std::vector<std::unique_ptr<SynthesisLevel<T>>> levels;  // the coarsest first
     for (std::size_t k = filters.size(); k-- > 0;)
       levels.push_back(std::make_unique<SynthesisLevel<T>>(

@@ -8,10 +8,12 @@
 #include <ogr_spatialref.h>
 
 #include <limits>
+#include <new>
 #include <string_view>
 #include <system_error>
 #include <thread>
 #include <type_traits>
+#include <utility>
 
 namespace arete::gdal {
 namespace {
@@ -131,6 +133,9 @@ void check_blocks(const std::string& path) {
 struct GeoTiffWriter::State {
   std::string path;
   bool threads = false;  ///< GDAL compresses in threads of its own
+  /// GDAL was left by an exception (memory ran out), perhaps with its locks held: to touch the
+  /// dataset again, even to close it, could wait for ever.
+  bool lost = false;
   GDALDataset* dataset = nullptr;
   ErrorCollector errors;
 
@@ -168,7 +173,11 @@ GeoTiffWriter::GeoTiffWriter(const std::string& path, const GeoTiffSpec& spec)
 }
 
 GeoTiffWriter::~GeoTiffWriter() {
-  if (state_ && state_->dataset != nullptr) GDALClose(state_->dataset);
+  if (!state_ || state_->dataset == nullptr || state_->lost) return;
+  try {
+    GDALClose(state_->dataset);
+  } catch (const std::bad_alloc&) {  // the file is not complete, and nobody was told it is
+  }
 }
 
 Index GeoTiffWriter::block_rows() const {
@@ -183,17 +192,18 @@ void GeoTiffWriter::write(int band, Index first_row, GridView<const T> rows) {
   constexpr GDALDataType type = std::is_same_v<T, float> ? GDT_Float32 : GDT_Float64;
   // The thread that writes need not be the one that the writer was made in.
   const ErrorCollector errors;
+  state_->lost = true;
   const auto status = state_->dataset->GetRasterBand(band)->RasterIO(
       GF_Write, 0, static_cast<int>(first_row), static_cast<int>(rows.cols()),
       static_cast<int>(rows.rows()), const_cast<T*>(rows.row(0)), static_cast<int>(rows.cols()),
       static_cast<int>(rows.rows()), type, sizeof(T),
       static_cast<GSpacing>(rows.stride()) * static_cast<GSpacing>(sizeof(T)), nullptr);
+  state_->lost = false;
   if (status != CE_None || errors.failed()) state_->fail(errors);
 }
 
 void GeoTiffWriter::close() {
-  GDALClose(state_->dataset);
-  state_->dataset = nullptr;
+  GDALClose(std::exchange(state_->dataset, nullptr));
   if (state_->errors.failed()) state_->fail();
   if (state_->threads) check_blocks(state_->path);
 }

@@ -5,7 +5,7 @@
 
 #include "arete/openmesh/internal/edge_store.h"
 #include "arete/openmesh/internal/large_pages.h"
-#include "arete/refine/for_each_band.h"
+#include "arete/parallel/for_each_band.h"
 
 namespace arete::openmesh::detail {
 namespace {

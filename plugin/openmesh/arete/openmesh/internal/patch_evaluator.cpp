@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "arete/refine/for_each_band.h"
+#include "arete/parallel/for_each_band.h"
 
 namespace arete::openmesh::detail {
 namespace {
