@@ -225,24 +225,38 @@ TEST(cli_render, refine_makes_the_model_that_render_makes) {
     std::ifstream stream(folder.file(name), std::ios::binary);
     return std::string{std::istreambuf_iterator<char>(stream), {}};
   };
+  // A grey picture of the ground, half as fine as the DEM.
+  const std::string picture = folder.file("t.tif");
+  ASSERT_EQ(std::system(("gdal_translate -q -ot Byte -scale 200 1100 100 255 -outsize 50% 50% " +
+                         test::dem + " " + picture)
+                            .c_str()),
+            0);
   // The names of the models are those of the files.
   std::filesystem::create_directory(folder.file("a"));
   std::filesystem::create_directory(folder.file("b"));
-  (void)test::run_json({"render", coarse, folder.file("a/m.glb"), "--scheme", "gentle", "--levels",
-                        "2", "--palette", "alpine", "--json"});
-  const auto refined = test::run_json({"refine", coarse, folder.file("b/m.glb"), "--scheme",
-                                       "gentle", "--levels", "2", "--palette", "alpine", "--json"});
-  EXPECT_EQ(refined.at("rows"), 4 * 49 + 1);
-  const std::string a = bytes("a/m.glb");
-  const std::string b = bytes("b/m.glb");
   // The binary part holds positions, normals, texture coordinates, triangles and the picture.
-  const auto binary = [](const std::string& glb) {
+  const auto binary = [&](const char* name) {
+    const std::string glb = bytes(name);
     std::uint32_t json = 0;
     std::memcpy(&json, glb.data() + 12, 4);
     return glb.substr(20 + json);
   };
-  ASSERT_GT(b.size(), 197 * 237 * 32u);
-  EXPECT_TRUE(binary(a) == binary(b));
+  std::vector<std::string> models;
+  for (const test::Arguments& look :
+       {test::Arguments{"--palette", "alpine"}, test::Arguments{"--texture", picture}}) {
+    const auto made = [&](const char* verb, const char* name) {
+      test::Arguments arguments{verb,       coarse, folder.file(name), "--scheme",   "gentle",
+                                "--levels", "2",    "--json",          "--overwrite"};
+      arguments.insert(arguments.end(), look.begin(), look.end());
+      return test::run_json(arguments);
+    };
+    (void)made("render", "a/m.glb");
+    EXPECT_EQ(made("refine", "b/m.glb").at("rows"), 4 * 49 + 1);
+    models.push_back(binary("b/m.glb"));
+    ASSERT_GT(models.back().size(), 197 * 237 * 32u);
+    EXPECT_TRUE(binary("a/m.glb") == models.back()) << look.front();
+  }
+  EXPECT_FALSE(models[0] == models[1]) << "the picture is not laid";
   EXPECT_EQ(test::run_arete({"refine", coarse, folder.file("o.tif"), "--scheme", "gentle",
                              "--palette", "alpine"})
                 .exit_code,

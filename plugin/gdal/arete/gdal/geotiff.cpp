@@ -140,8 +140,11 @@ struct GeoTiffWriter::State {
   ErrorCollector errors;
 
   [[noreturn]] void fail(const ErrorCollector& why) const {
-    throw RasterError(path + " cannot be written (GDAL: " + why.message() +
-                      "); check free space and permissions");
+    const std::string words = why.message();
+    const bool memory = words.find("llocat") != std::string::npos;
+    throw RasterError(path + " cannot be written (GDAL: " + words + "); " +
+                      (memory ? "free some memory or use fewer levels"
+                              : "check free space and permissions"));
   }
   [[noreturn]] void fail() const { fail(errors); }
 };
@@ -169,6 +172,9 @@ GeoTiffWriter::GeoTiffWriter(const std::string& path, const GeoTiffSpec& spec)
   set_reference(*state_->dataset, spec);
   for (std::size_t i = 0; i < spec.bands.size(); ++i)
     set_band(*state_->dataset->GetRasterBand(static_cast<int>(i) + 1), spec.bands[i], spec.nodata);
+  // The header is written while there is memory. Short of it, GDAL would put the reference system
+  // into a file of its own, without a word.
+  state_->dataset->FlushCache();
   if (state_->errors.failed()) state_->fail();
 }
 
