@@ -11,6 +11,9 @@ run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCOMPONENTS=${COMPONENTS}" -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
+if(NOT PROGRAM)
+  return()
+endif()
 run(${WORK}/prefix/bin/arete --version)
 # It finds its data wherever it was moved.
 if("gdal" IN_LIST COMPONENTS AND "opensubdiv" IN_LIST COMPONENTS)

@@ -11,7 +11,7 @@
 namespace arete {
 namespace {
 
-constexpr std::size_t largest_tested = 1200;
+constexpr std::size_t most_coefficients = 1200;
 
 // Whether p (not zero) has a root on |z| = 1.
 bool has_unit_root(Coefficients p) {
@@ -114,7 +114,7 @@ bool has_root_cycle(const Mask& mask) {
 }  // namespace
 
 Stability shift_stability(const Mask& mask) {
-  if (mask.coefficients().size() > largest_tested) return Stability::unknown;
+  if (mask.coefficients().size() > most_coefficients) return Stability::unknown;
   return has_symmetric_roots(mask) || has_root_cycle(mask) ? Stability::unstable
                                                            : Stability::stable;
 }

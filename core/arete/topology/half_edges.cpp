@@ -3,12 +3,11 @@
 
 #include <string>
 
+#include "arete/field/at.h"
 #include "arete/topology/not_a_grid.h"
 
 namespace arete {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 [[noreturn]] void throw_same_direction(int face, int other, int from, int to) {
   throw NotAGrid::at_face(

@@ -6,10 +6,10 @@
 #include <tuple>
 #include <utility>
 
+#include "arete/field/at.h"
+
 namespace arete {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 GridPatch transposed(const GridPatch& patch) {
   GridPatch result = patch;

@@ -4,13 +4,12 @@
 #include <string>
 #include <utility>
 
+#include "arete/field/at.h"
 #include "arete/topology/half_edges.h"
 #include "arete/topology/recover_part.h"
 
 namespace arete {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<std::vector<int>> components(const HalfEdges& mesh) {
   const int faces = mesh.faces().count();

@@ -5,12 +5,11 @@
 #include <string>
 
 #include "arete/topology/not_a_grid.h"
+#include "arete/field/at.h"
 #include "arete/topology/recover_part.h"
 
 namespace arete::detail {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 // Moves from frame to frame; -1 beyond the rim.
 int right_of(const HalfEdges& mesh, int bottom) {

@@ -10,12 +10,11 @@
 #include <string>
 
 #include "arete/topology/not_a_grid.h"
+#include "arete/field/at.h"
 #include "arete/topology/recover_part.h"
 
 namespace arete::detail {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 class Sweep {
  public:

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <string>
 
+#include "arete/field/at.h"
+
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 Index modulo(Index a, Index n) { return ((a % n) + n) % n; }
 

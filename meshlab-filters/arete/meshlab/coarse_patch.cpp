@@ -3,13 +3,12 @@
 
 #include <cmath>
 
+#include "arete/field/at.h"
 #include "arete/meshlab/cell_cut.h"
 #include "arete/meshlab/cell_wedges.h"
 
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 AxisSample sample_at(double position, Index count, bool wraps) {
   const double whole = std::floor(position);

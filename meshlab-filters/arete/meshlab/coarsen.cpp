@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "arete/field/at.h"
 #include "arete/meshlab/coarse_patch.h"
 #include "arete/meshlab/memory.h"
 #include "arete/meshlab/plane_refiner.h"
@@ -11,8 +12,6 @@
 
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 std::string size_text(Extent extent) {
   return std::to_string(extent.rows) + " x " + std::to_string(extent.cols);

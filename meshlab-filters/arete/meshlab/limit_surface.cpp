@@ -7,13 +7,12 @@
 #include <string>
 
 #include "arete/analysis/limit_stencil.h"
+#include "arete/field/at.h"
 #include "arete/meshlab/plane_refiner.h"
 #include "arete/meshlab/surface_patch.h"
 
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 using Planes = std::array<Grid<double>, 3>;
 

@@ -3,13 +3,12 @@
 #include <optional>
 
 #include "arete/meshlab/cell_cut.h"
+#include "arete/field/at.h"
 #include "arete/meshlab/cell_wedges.h"
 #include "arete/meshlab/refined_patch.h"
 
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

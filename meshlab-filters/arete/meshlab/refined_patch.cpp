@@ -3,10 +3,10 @@
 
 #include <utility>
 
+#include "arete/field/at.h"
+
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "arete/field/at.h"
 #include "arete/meshlab/memory.h"
 #include "arete/meshlab/plane_refiner.h"
 #include "arete/meshlab/refined_patch.h"
@@ -10,8 +11,6 @@
 
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 struct PatchPlan {
   AxisPlan x;

@@ -6,13 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "arete/field/at.h"
 #include "arete/topology/orient.h"
 #include "arete/topology/recover.h"
 
 namespace arete::meshlab {
 namespace {
-
-std::size_t at(Index index) { return static_cast<std::size_t>(index); }
 
 void check_positions(const MeshArrays& mesh) {
   if (mesh.triangles.empty())

@@ -4,6 +4,23 @@
 #include "arete/refine/kernel/table.h"
 
 namespace arete {
+
+// Defined in the files of the instruction sets.
+template <>
+const Kernels<float> KernelTables<float>::baseline;
+template <>
+const Kernels<double> KernelTables<double>::baseline;
+#if defined(__x86_64__)
+template <>
+const Kernels<float> KernelTables<float>::avx2;
+template <>
+const Kernels<double> KernelTables<double>::avx2;
+template <>
+const Kernels<float> KernelTables<float>::avx512;
+template <>
+const Kernels<double> KernelTables<double>::avx512;
+#endif
+
 namespace {
 
 template <class T>

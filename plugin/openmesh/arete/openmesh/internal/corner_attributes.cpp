@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "arete/field/at.h"
 #include "arete/openmesh/internal/known_types.h"
 
 namespace arete::openmesh::detail {
@@ -14,8 +15,6 @@ using OpenMesh::BaseProperty;
 using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::PropertyT;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // Corners of a cell: 0 (r, c), 1 (r, c+1), 2 (r+1, c), 3 (r+1, c+1).
 // For each old cell and each of its faces, the half-edges that end in the corners; -1 where a

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "arete/field/at.h"
 #include "arete/openmesh/internal/gather.h"
 #include "arete/openmesh/internal/known_types.h"
 
@@ -26,8 +27,6 @@ int half_edge(const ArrayKernel& mesh, int from, int to) {
   } while (h != first);
   return -1;
 }
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // For every new half-edge the old one it lies on, -1 if none.
 class ParentHalfEdges {
