@@ -163,6 +163,26 @@ TEST(layering, core_opens_no_file_prints_nothing_and_never_exits) {
   }
 }
 
+// ThreadSanitizer is told there what passes between threads; of those begun elsewhere it knew
+// nothing.
+TEST(layering, the_threads_of_core_begin_in_one_place) {
+  const Names begins_threads{"tbb/parallel_for.h",
+                             "tbb/parallel_reduce.h",
+                             "tbb/parallel_sort.h",
+                             "tbb/task_arena.h",
+                             "tbb/task_group.h",
+                             "tbb/tbb.h",
+                             "thread",
+                             "future"};
+  Names rooms;
+  for (const auto& include : includes_below(root / "core" / "arete")) {
+    if (begins_threads.count(include.target) == 0) continue;
+    rooms.insert(fs::relative(include.file, root / "core" / "arete").begin()->string());
+    EXPECT_EQ(rooms, Names{"parallel"}) << where(include);
+  }
+  EXPECT_EQ(rooms.size(), 1u);
+}
+
 TEST(layering, every_source_names_its_licence_and_none_is_longer_than_600_lines) {
   for (const char* folder :
        {"core", "plugin", "meshlab-filters", "cli", "tests", "examples", "bench"}) {
