@@ -139,12 +139,23 @@ struct GeoTiffWriter::State {
   GDALDataset* dataset = nullptr;
   ErrorCollector errors;
 
+  State() = default;
+  ~State() {
+    if (dataset == nullptr || lost) return;
+    try {
+      GDALClose(dataset);
+    } catch (const std::bad_alloc&) {  // the file is not complete, and nobody was told it is
+    }
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
   [[noreturn]] void fail(const ErrorCollector& why) const {
     const std::string words = why.message();
     const bool memory = words.find("llocat") != std::string::npos;
-    throw RasterError(path + " cannot be written (GDAL: " + words + "); " +
-                      (memory ? "free some memory or use fewer levels"
-                              : "check free space and permissions"));
+    throw RasterError(
+        path + " cannot be written (GDAL: " + words + "); " +
+        (memory ? "free some memory or use fewer levels" : "check free space and permissions"));
   }
   [[noreturn]] void fail() const { fail(errors); }
 };
@@ -174,17 +185,13 @@ GeoTiffWriter::GeoTiffWriter(const std::string& path, const GeoTiffSpec& spec)
     set_band(*state_->dataset->GetRasterBand(static_cast<int>(i) + 1), spec.bands[i], spec.nodata);
   // The header is written while there is memory. Short of it, GDAL would put the reference system
   // into a file of its own, without a word.
+  state_->lost = true;
   state_->dataset->FlushCache();
+  state_->lost = false;
   if (state_->errors.failed()) state_->fail();
 }
 
-GeoTiffWriter::~GeoTiffWriter() {
-  if (!state_ || state_->dataset == nullptr || state_->lost) return;
-  try {
-    GDALClose(state_->dataset);
-  } catch (const std::bad_alloc&) {  // the file is not complete, and nobody was told it is
-  }
-}
+GeoTiffWriter::~GeoTiffWriter() = default;
 
 Index GeoTiffWriter::block_rows() const {
   int width = 0;
