@@ -190,8 +190,8 @@ TEST(cli_reverse, any_number_of_levels_is_restored_and_equals_a_shorter_coarseni
     ASSERT_EQ(a.extent(), b.extent());
     for (std::size_t i = 0; i < a.samples().size(); ++i)
       ASSERT_NEAR(a.samples()[i], b.samples()[i], 1e-7);
-    const auto& x = gdal::Raster(files.back).georeference()->affine;
-    const auto& y = gdal::Raster(direct).georeference()->affine;
+    const auto x = gdal::Raster(files.back).georeference()->affine;
+    const auto y = gdal::Raster(direct).georeference()->affine;
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(x[i], y[i], 1e-12);
   }
 }

@@ -73,10 +73,10 @@ void* open_nothing(void*, const char*, const char*) {
 void close_file_systems() {
   VSIFilesystemPluginCallbacksStruct* nothing = VSIAllocFilesystemPluginCallbacksStruct();
   nothing->open = open_nothing;
-  char** prefixes = VSIGetFileSystemsPrefixes();
+  // Never freed: GDAL keeps the pointers that it is given here.
+  static char** const prefixes = VSIGetFileSystemsPrefixes();
   for (char** prefix = prefixes; prefix != nullptr && *prefix != nullptr; ++prefix)
     if (!is_local_system(*prefix)) VSIInstallPluginHandler(*prefix, nothing);
-  CSLDestroy(prefixes);
   // Not among the prefixes that GDAL lists.
   VSIInstallPluginHandler("/vsicurl?", nothing);
   VSIFreeFilesystemPluginCallbacksStruct(nothing);
