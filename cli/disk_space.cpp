@@ -21,7 +21,7 @@ void check_disk(const std::string& path, const std::vector<std::string>& creatio
   const auto space = std::filesystem::space(folder, unknown);
   if (unknown || needed <= static_cast<double>(space.available)) return;
   throw Failure(path + " would take " + (plain ? "" : "at least ") + memory_text(needed) +
-                " but only " + memory_text(static_cast<double>(space.available)) +
+                " but only " + room_text(static_cast<double>(space.available)) +
                 " are free; use fewer levels or another disk");
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
+#include <sstream>
 
 #include "cli/error.h"
 
@@ -35,14 +37,29 @@ double default_memory() {
          static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-std::string memory_text(double bytes) {
-  return std::to_string(static_cast<long long>(std::ceil(bytes / 1e6))) + " MB";
+namespace {
+
+// Sizes that are asked for may lie beyond every integer.
+std::string whole_text(double number) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << number;
+  return text.str();
+}
+
+}  // namespace
+
+std::string memory_text(double bytes) { return whole_text(std::ceil(bytes / 1e6)) + " MB"; }
+
+std::string room_text(double bytes) {
+  if (bytes < 1e3) return whole_text(std::floor(bytes)) + " B";
+  if (bytes < 1e6) return whole_text(std::floor(bytes / 1e3)) + " kB";
+  return whole_text(std::floor(bytes / 1e6)) + " MB";
 }
 
 void check_memory(const std::string& what, double needed, double allowed) {
   if (needed > allowed)
     throw Failure(what + " needs " + memory_text(needed) + " of memory, more than the " +
-                  memory_text(allowed) +
+                  room_text(allowed) +
                   " allowed; use fewer levels, raise --max-memory, or write a GeoTIFF, which takes "
                   "little memory at any height");
 }
