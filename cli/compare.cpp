@@ -50,10 +50,6 @@ Comparison measure(const CommonLattice& common, bool degrees) {
   return result;
 }
 
-Json spectrum_json(const std::optional<SpectralSlope>& slope) {
-  return slope ? Json(slope->slope) : Json(nullptr);
-}
-
 void print_json(const CompareArguments& a, const Comparison& c) {
   const HeightDifference& h = c.heights;
   const Json object{
@@ -75,7 +71,7 @@ void print_json(const CompareArguments& a, const Comparison& c) {
         {"y", c.largest_at.y}}},
       {"slope_rmse", number_or_null(c.slopes.rmse)},
       {"spectral_slope",
-       {{"first", spectrum_json(c.first_spectrum)}, {"second", spectrum_json(c.second_spectrum)}}}};
+       {{"first", slope_or_null(c.first_spectrum)}, {"second", slope_or_null(c.second_spectrum)}}}};
   std::cout << object.dump(2) << '\n';
 }
 

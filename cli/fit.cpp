@@ -216,10 +216,6 @@ FitOutcome fit_and_compare(const FitArguments& a, const Scheme& scheme, const Fi
   return outcome;
 }
 
-Json spectrum_json(const std::optional<SpectralSlope>& spectrum) {
-  return spectrum ? Json(spectrum->slope) : Json(nullptr);
-}
-
 // The scheme's text with decimals where they are exact, which most readers prefer to twelve-digit
 // fractions.
 std::string decimal_text(const Scheme& scheme) {
@@ -254,7 +250,7 @@ void print_json(const FitArguments& a, const ParameterSpace& space, const FitOut
          {"rmse", row.why_not.empty() ? number_or_null(row.rmse) : Json(nullptr)},
          {"max", row.why_not.empty() ? number_or_null(row.largest) : Json(nullptr)},
          {"slope_rmse", row.why_not.empty() ? number_or_null(row.slope_rmse) : Json(nullptr)},
-         {"spectral_slope", spectrum_json(row.spectrum)},
+         {"spectral_slope", slope_or_null(row.spectrum)},
          {"cross_validated_rmse", number_or_null(row.cross_validated)}});
   Json object = fit_json(outcome.best());
   object["truth"] = a.truth;
@@ -265,7 +261,7 @@ void print_json(const FitArguments& a, const ParameterSpace& space, const FitOut
   object["fits"] = Json::array();
   for (const auto* fit : {&outcome.direct, &outcome.interpolating})
     if (*fit) object["fits"].push_back(fit_json(**fit));
-  object["truth_spectral_slope"] = spectrum_json(outcome.truth_spectrum);
+  object["truth_spectral_slope"] = slope_or_null(outcome.truth_spectrum);
   object["rows"] = std::move(rows);
   object["seconds"] = seconds;
   std::cout << object.dump(2) << '\n';

@@ -170,14 +170,12 @@ ModelLook look_from(const RefineArguments& arguments) {
 #endif
 
 Json detail_json(const Detail& detail, const DetailStatistics& statistics) {
-  const auto slope = [](const std::optional<SpectralSlope>& s) {
-    return s ? number_or_null(s->slope) : Json(nullptr);
-  };
-  return {{"roughness", detail.roughness},
-          {"relief", detail.relief},
-          {"seed", detail.seed},
-          {"spectral_slope",
-           {{"before", slope(statistics.before)}, {"after", slope(statistics.after)}}}};
+  return {
+      {"roughness", detail.roughness},
+      {"relief", detail.relief},
+      {"seed", detail.seed},
+      {"spectral_slope",
+       {{"before", slope_or_null(statistics.before)}, {"after", slope_or_null(statistics.after)}}}};
 }
 
 void report_detail(const Detail& detail, const DetailStatistics& statistics) {

@@ -19,7 +19,7 @@ namespace arete::cli {
 namespace {
 
 // Points, texture coordinates, faces, numbers of vertices.
-constexpr double bytes_per_sample = 24 + 8 + 20 + 4;
+constexpr double bytes_of_a_sample = 24 + 8 + 20 + 4;
 // Candidates, and the triangulation with its mesh.
 constexpr double bytes_per_triangulated_sample = 16;
 constexpr double bytes_per_triangle = 250;
@@ -158,7 +158,7 @@ RasterMesh refine_as(const gdal::Raster& input, int band, const std::filesystem:
   const double most = most_triangles ? static_cast<double>(*most_triangles) : 2 * samples;
   const double mesh_bytes =
       most < 2 * samples ? bytes_per_triangulated_sample * samples + bytes_per_triangle * most
-                         : bytes_per_sample * samples;
+                         : bytes_of_a_sample * samples;
   check_memory(what, samples * static_cast<double>(sizeof(T)) + mesh_bytes, max_memory);
   const Grid<T> coarse = gdal::read_band<T>(input, find_band(input, band));
   const Grid<T> heights = refine_with_progress(refiner, coarse.view(), progress, 0, 0.3);

@@ -68,7 +68,7 @@ vtk::Rgb shade(const Point3& normal, bool dark) {
 }
 
 void fill(const std::array<Corner, 3>& corners, bool dark, Canvas& canvas) {
-  const auto& [a, b, c] = corners;
+  const Corner &a = corners[0], &b = corners[1], &c = corners[2];
   const double area = (b.place[0] - a.place[0]) * (c.place[1] - a.place[1]) -
                       (b.place[1] - a.place[1]) * (c.place[0] - a.place[0]);
   if (area == 0) return;

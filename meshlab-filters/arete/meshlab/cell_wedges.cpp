@@ -31,7 +31,7 @@ int CellWedges::texture(int side) const {
 }
 
 WedgeUv CellWedges::operator()(int side, CellPlace place) const {
-  const auto [x, y] = place;
+  const double x = place.x, y = place.y;
   if (whole_) {
     const auto bilinear = [&](auto member) {
       const double top = (1 - x) * wedges_[0][0].*member + x * wedges_[0][1].*member;

@@ -34,7 +34,7 @@ struct PatchPlace {
 /// The bilinear blend of a number of the vertices at a place; exactly the number of a vertex at its
 /// place. Beyond the rim the last cell goes on.
 [[nodiscard]] double blended(const GridPatch& patch, const auto& value, const PatchPlace& place) {
-  const auto& [y, x] = place;
+  const AxisSample &y = place.row, &x = place.col;
   const Index right = following(x.cell, patch.extent.cols);
   const auto along = [&](Index row) {
     return mixed(value(patch.vertex(row, x.cell)), value(patch.vertex(row, right)), x.t);

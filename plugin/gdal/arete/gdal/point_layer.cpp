@@ -4,18 +4,13 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include <memory>
-
+#include "arete/gdal/internal/dataset.h"
 #include "arete/gdal/raster.h"
 #include "arete/gdal/reference_system.h"
 #include "arete/gdal/remote.h"
 
 namespace arete::gdal {
 namespace {
-
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
 
 OGRLayer& choose_layer(GDALDataset& dataset, const std::string& path, const std::string& name) {
   std::string names;
@@ -93,8 +88,7 @@ PointLayer read_points(const std::string& path, const std::string& layer,
   refuse_remote(path);
   register_formats();
   const ErrorCollector errors;
-  const std::unique_ptr<GDALDataset, CloseDataset> dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
   if (!dataset) {
     VSIStatBufL status;
     if (VSIStatL(path.c_str(), &status) != 0)

@@ -8,15 +8,11 @@
 #include <limits>
 #include <memory>
 
+#include "arete/gdal/internal/dataset.h"
 #include "arete/gdal/raster.h"
 
 namespace arete::gdal {
 namespace {
-
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 // The field as a raster of 1 x 1 pixels in memory.
 Dataset in_memory(GridView<const double> field) {

@@ -11,19 +11,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "arete/gdal/error.h"
+#include "arete/gdal/internal/dataset.h"
 #include "arete/gdal/raster.h"
 #include "arete/gdal/remote.h"
 
 namespace arete::gdal {
 namespace {
-
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 /// Damaged JPEGs are read as grey areas with a warning unless this is set.
 class StrictJpeg {
