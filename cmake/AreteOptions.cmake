@@ -10,6 +10,12 @@ set(ARETE_SANITIZE OFF CACHE STRING
     "ON: build with AddressSanitizer and UndefinedBehaviorSanitizer; thread: with ThreadSanitizer")
 set_property(CACHE ARETE_SANITIZE PROPERTY STRINGS OFF ON thread)
 option(ARETE_COVERAGE "Count which lines of core are run (gcc; see scripts/check-coverage)" OFF)
+set(_unity OFF)
+if(ARETE_SANITIZE)
+  set(_unity ON)
+endif()
+option(ARETE_UNITY "Compile several files of the adapters, the program and the tests at a time: quicker"
+       ${_unity})
 option(ARETE_FUZZ "Build libFuzzer programs, tests/fuzz (clang only)" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -23,6 +29,9 @@ endif()
 function(arete_target_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  if(ARETE_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  endif()
   arete_compile_options(${target})
 endfunction()
 
