@@ -55,6 +55,10 @@ function(arete_compile_options target)
                            -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
+endfunction()
+
+# libFuzzer learns from the branches of this target.
+function(arete_fuzzed target)
   if(ARETE_FUZZ)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
