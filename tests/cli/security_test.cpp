@@ -155,6 +155,19 @@ TEST(cli_security, points_and_textures_reach_no_network_either) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+TEST(cli_security, no_name_and_no_file_opens_the_memory_of_the_process) {
+  const test::TemporaryFolder folder;
+  const std::string out = folder.file("out.tif");
+  const std::string vrt = folder.file("in.vrt");
+  const std::string memory = "MEM:::DATAPOINTER=4096,PIXELS=9,LINES=9,DATATYPE=Float32";
+  std::ofstream(vrt) << vrt_of(memory);
+  for (const std::string& name : {memory, "mem:::" + memory.substr(6), vrt, "vrt://" + memory})
+    for (const char* networks : {"--levels=1", "--allow-remote"})
+      EXPECT_EQ(run_arete({"refine", name, out, "--scheme", "gentle", networks}).exit_code, 1)
+          << name;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 TEST(cli_security, no_program_and_no_code_of_a_file_is_run) {
   const test::TemporaryFolder folder;
   const std::string trace = folder.file("trace");

@@ -108,6 +108,14 @@ void keep_netcdf_local() {
   driver->pfnOpen = open_local_netcdf;
 }
 
+// `MEM:::DATAPOINTER=...` opens any address of this process as a raster.
+GDALDataset* open_no_memory(GDALOpenInfo* info) {
+  if (STARTS_WITH_CI(info->pszFilename, "MEM:::"))
+    CPLError(CE_Failure, CPLE_OpenFailed, "%s: memory is not opened by its address",
+             info->pszFilename);
+  return nullptr;
+}
+
 }  // namespace
 
 bool is_remote(const std::string& path) {
@@ -141,6 +149,8 @@ void forbid_programs() {
   register_formats();
   remove_driver("GPSBabel");
   CPLSetConfigOption("GDAL_VRT_ENABLE_PYTHON", "NO");
+  if (GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM"))
+    memory->pfnOpen = open_no_memory;
 }
 
 void refuse_remote(const std::string& path) {

@@ -16,7 +16,8 @@ namespace arete::gdal {
 void forbid_remote_access();
 
 /// From now on GDAL runs no other program and no code that a file brings along (GPSBabel, Python in
-/// a .vrt) in this process.
+/// a .vrt) in this process, and opens no memory of the process by an address that a file names
+/// (`MEM:::`).
 void forbid_programs();
 
 /// \throws RasterError if the name is remote and forbid_remote_access() was called. Whatever opens
