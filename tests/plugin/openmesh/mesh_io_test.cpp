@@ -205,6 +205,22 @@ TEST(openmesh_io, obj_is_read_with_its_quirks) {
   std::filesystem::remove(bad);
 }
 
+TEST(openmesh_io, ply_elements_that_nothing_bounds_or_that_come_twice_are_refused) {
+  const std::string head = "ply\nformat ascii 1.0\n";
+  const std::string vertex =
+      "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  for (const auto& [text, reason] : std::vector<std::pair<std::string, std::string>>{
+           {head + "element vertex 1000000000000\nend_header\n", "has no property"},
+           {head + vertex + "element note 1000000000000\nend_header\n0 0 0\n", "has no property"},
+           {head + vertex + "property uchar red\n" + vertex + "end_header\n0 0 0 1\n0 0 0\n",
+            "vertex is there twice"}}) {
+    const std::string path = written("twice.ply", text);
+    EXPECT_NE(message([&] { (void)openmesh::read_mesh(path); }).find(reason), std::string::npos)
+        << text;
+    std::filesystem::remove(path);
+  }
+}
+
 TEST(openmesh_io, big_endian_ply_and_text_stl_are_read) {
   std::string bytes =
       "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\n"

@@ -122,6 +122,10 @@ Header parse_header(std::string_view bytes) {
       else
         lines.fail("'" + std::string(words[1]) + "' is no PLY format");
     } else if (words[0] == "element" && lines.size() > 2) {
+      // A second list of vertices would leave attributes of the first without vertices, or the
+      // reverse.
+      for (const Element& element : header.elements)
+        if (element.name == words[1]) lines.fail("element " + element.name + " is there twice");
       header.elements.push_back({std::string(words[1]), lines.number<std::size_t>(2), {}});
     } else if (words[0] == "property" && lines.size() > 2 && !header.elements.empty()) {
       Property property;
@@ -242,7 +246,12 @@ MeshData parse_ply(std::string_view bytes) {
   const Header header = parse_header(bytes);
   Body body(bytes.substr(header.size), header.coding);
   MeshData mesh;
-  for (const Element& element : header.elements) read_element(body, element, mesh);
+  for (const Element& element : header.elements) {
+    // Nothing of it is in the file, so that the file's length would not bound its number.
+    if (element.properties.empty() && element.count > 0)
+      throw MeshFileError("element " + element.name + " has no property");
+    read_element(body, element, mesh);
+  }
   if (!mesh.corner_texcoords.empty()) mesh.corner_texcoords.resize(mesh.faces.corners.size());
   return mesh;
 }
